@@ -17,7 +17,21 @@ from planar_cli.formats._on_paper import Scale, on_paper
 from planar_cli.formats._paper import Stroke
 from planar_cli.formats._svg import papers_of
 from planar_cli.report.blocks import Name, line
-from planar_cli.report.marks import Arc, Arrow, Coil, Dashpot, Figure, Hatched, Panel, Polyline, Spot, Symbol, Turn
+from planar_cli.report.marks import (
+    Angle,
+    Arc,
+    Arrow,
+    Coil,
+    Dashpot,
+    Dimension,
+    Figure,
+    Hatched,
+    Panel,
+    Polyline,
+    Spot,
+    Symbol,
+    Turn,
+)
 from planar_cli.report.narrate import narrate
 
 
@@ -178,3 +192,34 @@ def test_ropes_of_one_direction_are_drawn_parallel(name: str) -> None:
     for end in (s for rope in ropes for s in rope):
         held = any(math.dist(end, s) < 1e-6 for s in spots)
         assert held or any(math.dist(end, c) == pytest.approx(r, rel=1e-3) for c, r in radii)
+
+
+def test_a_couple_between_two_bodies_turns_each_its_way() -> None:
+    turns = [m for m in drawings("textbook/ex-4-18")["scene"].panels[0].marks if isinstance(m, Turn)]
+    assert [t.sense for t in turns] == [1, -1]
+    assert turns[0].at != turns[1].at
+    assert repr(turns[0].words) == repr(turns[1].words)
+
+
+@pytest.mark.parametrize("name", ["textbook/ex-4-10", "textbook/ex-4-13"])
+def test_an_angle_that_is_negative_is_drawn_with_the_sign_of_its_letter(name: str) -> None:
+    (angle,) = (m for m in drawings(name)["scene"].panels[0].marks if isinstance(m, Angle))
+    assert angle.sweep < 0
+    assert angle.words == line("-", Name("theta"))
+
+
+def test_a_length_below_the_axis_is_told_without_its_sign() -> None:
+    marks = drawings("motion/atwood-let-go")["scene"].panels[0].marks
+    (drop,) = (m.words for m in marks if isinstance(m, Dimension))
+    assert drop[1:] == line(" + ", Name("s"))
+
+
+@pytest.mark.parametrize(
+    ("name", "above"),
+    [("textbook/ex-4-13", True), ("impact/bullet-into-a-hanging-panel", True), ("kinematics/quick-return", False)],
+)
+def test_a_support_lies_on_the_side_away_from_what_hangs_on_it(name: str, above: bool) -> None:
+    marks = drawings(name)["scene"].panels[0].marks
+    supports = [m for m in marks if isinstance(m, Symbol) and m.kind == "support"]
+    assert supports
+    assert all((math.cos(m.angle) < 0) is above for m in supports)

@@ -24,8 +24,8 @@ CIRCLE = " on its circle"
 def angle_from_its_zero(drawn: Drawn, vertex: Spot, side: Side) -> Iterator[Angle]:
     """An angle of the file; not a number of right angles, which is seen."""
     zero, sense, rest = _zero(drawn, side)
-    size, words = drawn.length(rest), size_of(rest)
-    if size is None or not words:
+    size = drawn.length(rest)
+    if size is None or not (words := size_of(rest, size)):
         return
     turned = math.remainder(sense * size, 2 * math.pi)
     lettered = any(isinstance(node, Name) for node in walk(rest))
@@ -55,7 +55,8 @@ def angles_of_coordinates(drawn: Drawn) -> Iterator[Angle]:
         vertex, size = _vertex(drawn, c), drawn.number(c.symbol)
         turned = math.remainder(size, 2 * math.pi) if size is not None else 0.0
         if vertex is not None and abs(turned) > TINY:
-            yield Angle(vertex, 0.0, turned, line(Letter(c.symbol.name)))
+            # Drawn clockwise, the angle between the axis and the rod is -θ.
+            yield Angle(vertex, 0.0, turned, line("-" if turned < 0 else "", Letter(c.symbol.name)))
 
 
 def _vertex(drawn: Drawn, c: Coordinate) -> Spot | None:

@@ -36,7 +36,7 @@ def belt_marks(drawn: Drawn, surface: Surface, mark: Mark) -> Iterator[Mark]:
         heading = along + math.pi if size is not None and size < 0 else along
         backward = math.cos(heading - way) < 0
         at = moved(end if backward else start, way, (-0.3 if backward else 0.3) * math.dist(start, end), -radius)
-        yield Arrow(at, heading, "velocity", size_of(speed))
+        yield Arrow(at, heading, "velocity", size_of(speed, size))
 
 
 def frame_marks(drawn: Drawn) -> Iterator[Mark]:

@@ -14,11 +14,11 @@ from planar_cli.equation.scene import Scene
 from planar_cli.equation.setup import Earlier, Setup
 from planar_cli.equation.system import Statements
 from planar_cli.errors import PlanarError
-from planar_cli.problem.expression import Negate, Number, Side
+from planar_cli.problem.expression import Binary, Negate, Number, Side
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND, Problem
 from planar_cli.records import record
-from planar_cli.report.blocks import Line, Value
+from planar_cli.report.blocks import Line
 from planar_cli.report.marks import Spot
 from planar_cli.report.sides import said
 from planar_cli.solve.between.trace import MotionTrace
@@ -162,14 +162,31 @@ TINY = 1e-12
 """A direction that is shorter is none."""
 
 
-def size_of(side: Side) -> Line:
-    """The same without the minus sign that the file writes before it: on which side it lies, or which way, is seen."""
-    words = words_of(side)
-    if isinstance(side, Negate):
-        return words_of(side.operand) or words
-    if isinstance(side, Number) and words and isinstance(value := words[0], Value) and value.number < 0:
-        return (Value(-value.number, value.unit, value.figures), *words[1:])
-    return words
+def size_of(side: Side, value: float | None = None) -> Line:
+    """A quantity as the size of what is drawn on its own side, or turns its own way: a negative θ as -θ, a negative -x
+    as x. `value`: what it is there [SI]; None: nothing tells it, and a minus sign before it stands for the side.
+    """
+    negative = value < 0 if value is not None else isinstance(side, Negate) or _number(side) < 0
+    return words_of(_opposite(side) if negative else side)
+
+
+def _number(side: Side) -> float:
+    return float(side.value) * side.sense if isinstance(side, Number) else 0.0
+
+
+def _opposite(side: Side) -> Side:
+    """The formula of the opposite value."""
+    match side:
+        case Negate(operand=inner):
+            return inner
+        case Number(value=value, unit=unit, sense=sense, mark=mark):
+            return Number(abs(value), unit, 1, mark) if value * sense < 0 else Number(-value, unit, sense, mark)
+        case Binary(operator="+" | "-" as sign, left=left, right=right, mark=mark):
+            return Binary("-" if sign == "+" else "+", _opposite(left), right, mark)
+        case Binary(operator="*" | "/" as sign, left=Negate() | Number() as left, right=right, mark=mark):
+            return Binary(sign, _opposite(left), right, mark)
+        case _:
+            return Negate(side, side.mark)
 
 
 def words_of(side: Side) -> Line:

@@ -160,7 +160,8 @@ def _given(problem: Problem) -> Iterator[_Given]:
 
 def _turn(moving: Moving, word: str, at: Spot, parts: Mapping[str, _Given]) -> Iterator[Mark]:
     (one,) = parts.values()
-    number, words = moving.drawn.length(one.size), size_of(one.size)
+    number = moving.drawn.length(one.size)
+    words = size_of(one.size, number)
     if number is not None and abs(number) > TINY and words:
         yield Turn(at, 1 if number > 0 else -1, ROTATIONS[word], words)
 
@@ -179,9 +180,10 @@ def _vector(moving: Moving, word: str, name: str, at: Spot, parts: Mapping[str, 
         if part not in parts:
             continue
         along = zero if part in AXES else _along(moving.drawn, parts[part], zero)
-        size, words = moving.drawn.length(parts[part].size), size_of(parts[part].size)
+        size = moving.drawn.length(parts[part].size)
         if size is None and whole is not None and along is not None:
             size = whole[0] * math.cos(along) + whole[1] * math.sin(along)
+        words = size_of(parts[part].size, size)
         if size is not None and along is not None and abs(size) > NEAR and words:
             yield Arrow(at, along + (math.pi if size < 0 else 0.0), VECTORS[word], words)
 

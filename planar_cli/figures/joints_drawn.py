@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from functools import singledispatch
 from typing import Any
 
@@ -29,6 +29,9 @@ from planar_cli.problem.walk import walk
 from planar_cli.report.blocks import Line
 from planar_cli.report.marks import Arrow, Coil, Dashpot, Mark, Polyline, Spot, Symbol, Turn
 
+HANGING = 0.6
+"""The sine of the angle below the level from which on what a support holds hangs."""
+
 
 def sketch_marks(drawn: Drawn, sketch: Sketch, name: Line) -> Iterator[Mark]:
     """What a joint or load looks like. `name`: what a force is called whose size the file does not give in short."""
@@ -44,7 +47,19 @@ def _drawn(sketch: Any, drawn: Drawn, name: Line) -> Iterator[Mark]:
 def _hinge(sketch: Hinge, drawn: Drawn, name: Line) -> Iterator[Mark]:
     at = drawn.spot(sketch.at)
     if at is not None:
-        yield Symbol("support" if sketch.grounded else "pin", at)
+        if not sketch.grounded:
+            yield Symbol("pin", at)
+            return
+        centers = (drawn.spot(b.center) for name in sketch.bodies if (b := drawn.body(name)) is not None)
+        yield _support(at, [c for c in centers if c is not None])
+
+
+def _support(at: Spot, others: Sequence[Spot]) -> Symbol:
+    """A fixed support, below what it holds; above what hangs on it. `others`: where that is."""
+    reaches = [(y - at[1], math.dist(at, (x, y))) for x, y in others]
+    hangs = any(down < -HANGING * reach for down, reach in reaches)
+    stands = any(down > HANGING * reach for down, reach in reaches)
+    return Symbol("support", at, math.pi if hangs and not stands else 0.0)
 
 
 @_drawn.register
@@ -64,7 +79,8 @@ def _bar(sketch: Bar, drawn: Drawn, name: Line) -> Iterator[Mark]:
     ends = _ends(drawn, sketch)
     if ends is not None:
         yield Polyline(ends, "body")
-        yield from (Symbol("support" if f else "pin", end) for end, f in zip(ends, sketch.fixed, strict=True))
+        for (end, other), fixed in zip((ends, ends[::-1]), sketch.fixed, strict=True):
+            yield _support(end, [other]) if fixed else Symbol("pin", end)
 
 
 @_drawn.register
@@ -139,9 +155,9 @@ def _twist(sketch: Twist, drawn: Drawn, name: Line) -> Iterator[Mark]:
     size = None if isinstance(sketch.size, Table) or not known else drawn.length(sketch.size)
     if at is not None:
         # Without a number a minus sign stays: it is not seen from the arrow.
-        told = size_of if known else words_of
-        words = name if isinstance(sketch.size, Table) else told(sketch.size) or name
-        yield Turn(at, -1 if size is not None and size < 0 else 1, "force", words)
+        words = name if isinstance(sketch.size, Table) else size_of(sketch.size, size or 0.0) or name
+        sense = -1 if size is not None and size < 0 else 1
+        yield Turn(at, -sense if sketch.reversed else sense, "force", words)
 
 
 @_drawn.register

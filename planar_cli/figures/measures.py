@@ -95,7 +95,7 @@ def _radii(drawn: Drawn, body: Body, rim: Round) -> Iterator[Dimension]:
 def _coordinates(spot: Spot, place: At | TwoFacts, moved: Spot) -> Iterator[Dimension]:
     """The distances of a point from the axes, where the file places it by them and it is drawn there."""
     for axis, side in enumerate((place.x, place.y)):
-        words = size_of(side) if side is not None else ()
+        words = size_of(side, spot[axis]) if side is not None else ()
         if words and abs(spot[axis]) > NEAR and not moved[axis]:
             start = (0.0, spot[1]) if axis == 0 else (spot[0], 0.0)
             yield Dimension(start, spot, words, side=-1 if axis == 0 else 1, level=True)

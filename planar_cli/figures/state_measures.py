@@ -24,7 +24,7 @@ def state_measures(places: Sequence[Later], problem: Problem) -> Iterator[Mark]:
     where = {state: p for p in places for state in p.states if not any(p.shift)}
     told: set[str] = set()
     for axis, start, end, words in _lengths(where, problem):
-        if abs(end[axis] - start[axis]) > NEAR and repr(words) not in told:
+        if words and abs(end[axis] - start[axis]) > NEAR and repr(words) not in told:
             told.add(repr(words))
             yield Dimension(start, end, words, side=-1 if axis == 0 else 1, level=True)
     yield from _ground(places, where, problem)
@@ -38,7 +38,7 @@ def _lengths(where: dict[str, Later], problem: Problem) -> Iterator[tuple[int, S
                 if isinstance(relation.right, Number) and relation.right.value == 0:
                     # No length; and a place near it may be drawn for it.
                     continue
-                yield from _between(where, state, relation, size_of(relation.right))
+                yield from _between(where, state, relation)
     for find in problem.find:
         what = find.found.what
         axis, name, at = _coordinate(what) if isinstance(what, Quantity) else (0, "", None)
@@ -46,22 +46,20 @@ def _lengths(where: dict[str, Later], problem: Problem) -> Iterator[tuple[int, S
             yield axis, _foot(end, axis), end, line(Name(find.name))
 
 
-def _between(
-    where: dict[str, Later], state: Written, relation: Relation, words: Words
-) -> Iterator[tuple[int, Spot, Spot, Words]]:
+def _between(where: dict[str, Later], state: Written, relation: Relation) -> Iterator[tuple[int, Spot, Spot, Words]]:
     left = relation.left
     one, other = (left.left, left.right) if isinstance(left, Binary) and left.operator == "-" else (left, None)
     axis, name, at = _coordinate(one)
     end = where[at or state.name].spots.get(name) if (at or state.name) in where else None
-    if end is None or not words:
+    if end is None:
         return
     if other is None:
-        yield axis, _foot(end, axis), end, words
+        yield axis, _foot(end, axis), end, size_of(relation.right, end[axis])
         return
     along, first, since = _coordinate(other)
     begin = where[since or state.name].spots.get(first) if (since or state.name) in where else None
     if begin is not None and along == axis:
-        yield axis, begin, end, words
+        yield axis, begin, end, size_of(relation.right, end[axis] - begin[axis])
 
 
 def _coordinate(side: Side | None) -> tuple[int, str, str | None]:

@@ -21,9 +21,9 @@ def sign(mark: Symbol, at: Spot) -> Iterator[Piece]:
         case "pin":
             yield Disc(at, 3.6, "pin")
         case "support":
-            feet = (moved(at, 0, -10, -16), moved(at, 0, 10, -16))
+            feet = (moved(at, mark.angle, -10, -16), moved(at, mark.angle, 10, -16))
             yield Stroke((feet[0], at, feet[1]), "support area", True)
-            base = (moved(feet[0], 0, -5), moved(feet[1], 0, 5))
+            base = (moved(feet[0], mark.angle, -5), moved(feet[1], mark.angle, 5))
             yield Stroke(base, "ground")
             yield from hatching(base)
             yield Disc(at, 3.6, "pin")

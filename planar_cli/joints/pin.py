@@ -67,7 +67,8 @@ class Pin(Joint):
         return self.at if "ground" in self.between and self.during is None else None
 
     def sketch(self, scene: Setting) -> tuple[Sketch, ...]:
-        return (Hinge(scene.point(self.at), GROUND in {scene.carrier(b) for b in self.between}),)
+        bodies = tuple(scene.carrier(b) for b in self.between)
+        return (Hinge(scene.point(self.at), GROUND in bodies, tuple(b for b in bodies if b != GROUND)),)
 
     def modes(self, scene: Setting) -> tuple[Mode, ...]:
         hub = "ground" if "ground" in self.between else self.between[0]

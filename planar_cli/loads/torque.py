@@ -9,6 +9,7 @@ from planar_cli.loads.base import Load
 from planar_cli.problem.expression import Side
 from planar_cli.problem.facts import Effect, Wrench
 from planar_cli.problem.keys import BodyKey, Choice, MagnitudeKey, PartnersKey, Table, key
+from planar_cli.problem.scene import GROUND
 from planar_cli.problem.setting import MovingSetting, Setting
 from planar_cli.problem.sketches import Sketch, Twist
 
@@ -59,11 +60,9 @@ class Torque(Load):
     moment: Side | Table = key(MagnitudeKey("N*m"), "the moment, counterclockwise positive, or a table over time")
 
     def sketch(self, scene: Setting) -> tuple[Sketch, ...]:
-        body = self.body
-        if body is None:
-            assert self.between is not None
-            body = self.between[1]
-        return (Twist(scene.center(body), self.moment),)
+        first, second = (GROUND, self.body) if self.body is not None else self.between or (GROUND, GROUND)
+        both = ((second, False), (first, True))
+        return tuple(Twist(scene.center(b), self.moment, against) for b, against in both if b != GROUND)
 
     def wrenches(self, scene: MovingSetting) -> tuple[Wrench, ...]:
         moment = scene.size(self.moment, self.mark)

@@ -16,10 +16,11 @@ from planar_cli.records import record
 
 @record
 class Hinge:
-    """A pin at a place; `grounded`: on a fixed support."""
+    """A pin at a place; `grounded`: on a fixed support. `bodies`: those that turn about it."""
 
     at: Vec
     grounded: bool
+    bodies: tuple[str, ...] = ()
 
 
 @record
@@ -125,10 +126,13 @@ class Push:
 
 @record
 class Twist:
-    """A couple about a place, counterclockwise where its size is positive, with its size as the file writes it."""
+    """A couple about a place, counterclockwise where its size is positive, with its size as the file writes it.
+    `reversed`: it is the reaction to that, the other way round.
+    """
 
     at: Vec
     size: Side | Table
+    reversed: bool = False
 
 
 Sketch = Hinge | Slide | Fastening | Cord | Bar | Spiral | Absorber | Loop | Push | Twist

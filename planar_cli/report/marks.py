@@ -112,11 +112,11 @@ class Dashpot:
 
 @record
 class Symbol:
-    """A sign of fixed size at a place: a pin, a fixed support below one, a particle, a block that stands on what lies
-    along `angle`, a mass centre, a slider that lies along `angle`, the same on a fixed rail, a weld, a piece of wall
-    behind the end of something that goes on along `angle`, what holds a wheel from there, the plate at the end of a
-    spring that goes on along `angle`, where coordinates are measured from, the place where a particle is later, a break
-    in what is too long to be drawn, along `angle`, a point on a bar, where a block is later.
+    """A sign of fixed size at a place: a pin, a fixed support below one as seen along `angle`, a particle, a block that
+    stands on what lies along `angle`, a mass centre, a slider that lies along `angle`, the same on a fixed rail, a
+    weld, a piece of wall behind the end of something that goes on along `angle`, what holds a wheel from there, the
+    plate at the end of a spring that goes on along `angle`, where coordinates are measured from, the place where a
+    particle is later, a break in what is too long to be drawn, along `angle`, a point on a bar, where a block is later.
     """
 
     kind: SymbolKind
