@@ -16,7 +16,7 @@ from planar_cli.figures.polygons import polygons
 from planar_cli.figures.vector_sums import vector_sums
 from planar_cli.formats._on_paper import Scale, on_paper
 from planar_cli.formats._paper import Stroke, runs_of
-from planar_cli.report.blocks import Line, Name, line
+from planar_cli.report.blocks import Answer, Document, Drawing, Heading, Line, Name, line
 from planar_cli.report.marks import Figure, Panel, Span, Spot
 from planar_cli.report.narrate import narrate
 
@@ -38,10 +38,13 @@ BASES = {
 """Some vector equations of a page, as the arrows of its figures call them."""
 
 
-def figures(stem: str) -> Iterator[Figure]:
+def drawn_page(stem: str) -> Document:
     solution = worked(next(p for p in PROBLEMS if p.stem == stem))[0]
-    page = illustrated(narrate(solution), solution)
-    return (f for name, f in figures_of(page) if name.startswith(("velocities", "accelerations")))
+    return illustrated(narrate(solution), solution)
+
+
+def figures(stem: str) -> Iterator[Figure]:
+    return (f for name, f in figures_of(drawn_page(stem)) if name.startswith(("velocities", "accelerations")))
 
 
 def told(words: Line) -> str:
@@ -139,3 +142,15 @@ def test_velocities_in_the_states_of_a_motion_stand_side_by_side() -> None:
 def test_a_polygon_that_is_the_same_in_all_states_is_drawn_once() -> None:
     (figure,) = figures("river-crossing")
     assert [told(p.head) for p in figure.panels] == ["polygon of velocities in state start, pole o"]
+
+
+def test_figures_stand_at_their_equations() -> None:
+    """Behind the step that has the vector equation; a centre with which a check reasons, above the answer."""
+    blocks = drawn_page("slider-crank-with-a-spring").blocks
+    places = {b.figure.name: i for i, b in enumerate(blocks) if isinstance(b, Drawing)}
+    steps = [i for i, b in enumerate(blocks) if isinstance(b, Heading) and b.label.startswith("STEP")]
+    assert steps[0] < places["velocities"] < steps[1]
+    assert steps[2] < places["accelerations"] < steps[3]
+    blocks = drawn_page("six-bar-class-3").blocks
+    (centre,) = (i for i, b in enumerate(blocks) if isinstance(b, Drawing) and b.figure.name.startswith("centre"))
+    assert centre < next(i for i, b in enumerate(blocks) if isinstance(b, Answer))

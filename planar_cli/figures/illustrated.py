@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
+from itertools import takewhile
 
 from planar_cli.figures.arrangement import arrangement, followed_arrangement
 from planar_cli.figures.centres import Centres
@@ -11,7 +12,7 @@ from planar_cli.figures.courses import course_figures
 from planar_cli.figures.diagrams import diagram
 from planar_cli.figures.followed import motion_figure
 from planar_cli.figures.polygons import polygons, polygons_of_states
-from planar_cli.report.blocks import Answer, Block, Document, Drawing, Forces, Heading, Paragraph, Table
+from planar_cli.report.blocks import Answer, Block, Check, Document, Drawing, Forces, Heading, Paragraph, Table
 from planar_cli.report.graphs import Curve, Graph
 from planar_cli.report.marks import Axes, Figure
 from planar_cli.report.read_off import INTEGRATED, UNIFORM_MOTION
@@ -50,11 +51,13 @@ def _blocks(document: Document, solution: Solution) -> Iterator[Block]:
             yield Drawing(first)
             first = None
         if isinstance(block, Heading | Answer):
+            above = document.blocks[:place]
             yield from map(Drawing, centres.told(step, instant))
-            yield from map(Drawing, polygons(step, instant) if instant is not None else [])
+            yield from map(Drawing, polygons(step, instant) if instant is not None else motions.polygons(above, step))
             if isinstance(block, Answer) or block.label == CASE:
-                yield from map(Drawing, motions.figures(document.blocks[:place]))
+                yield from map(Drawing, motions.graphs(above))
             if isinstance(block, Answer):
+                yield from map(Drawing, centres.told(_checks(document.blocks[place:]), instant))
                 yield from map(Drawing, centres.asked(instant))
             step = []
             if isinstance(block, Heading) and block.label == CASE:
@@ -72,22 +75,32 @@ def _blocks(document: Document, solution: Solution) -> Iterator[Block]:
     yield from map(Drawing, centres.told(step, instant))
 
 
+def _checks(blocks: Sequence[Block]) -> list[Block]:
+    """Those under the answer at which some blocks begin: what they reason with is drawn above it."""
+    return [b for b in takewhile(lambda b: not isinstance(b, Heading), blocks) if isinstance(b, Check)]
+
+
 class _Motions:
-    """The polygons of each motion, in its states, and its graphs, behind all that tells it."""
+    """The polygons of each motion at their equations, in its states, and its graphs behind all that tells it."""
 
     def __init__(self, solution: Solution) -> None:
-        self.waiting = {p.case.replace("_", " "): p for p in solution.parts if p.motion is not None}
+        self.motions = {p.case.replace("_", " "): p for p in solution.parts if p.motion is not None}
+        self.waiting = dict(self.motions)
+        """Those without graphs yet."""
         self.curves = set[tuple[Curve, ...]]()
         """Those of graphs that have been drawn."""
 
-    def figures(self, page: Sequence[Block]) -> Iterator[Figure]:
-        """`page`: what stands above."""
-        heads = [i for i, b in enumerate(page) if isinstance(b, Heading) and b.label == CASE]
-        begun = page[heads[-1] :] if heads else page
-        case = begun[0].text if heads and isinstance(begun[0], Heading) else ""
-        part = self.waiting.pop(case, None)
+    def polygons(self, page: Sequence[Block], step: Sequence[Block]) -> Iterator[Figure]:
+        """Of the vector equations of a step. `page`: what stands above, the step too."""
+        case, begun, state = _headed(page)
+        part = self.motions.get(case)
         if part is not None and part.motion is not None:
-            yield from polygons_of_states(begun, part.motion)
+            yield from polygons_of_states(begun, step, part.motion, state)
+
+    def graphs(self, page: Sequence[Block]) -> Iterator[Figure]:
+        """`page`: what stands above."""
+        part = self.waiting.pop(_headed(page)[0], None)
+        if part is not None and part.motion is not None:
             yield from filter(self._is_new, course_figures(part.motion, part.found, page))
 
     def _is_new(self, figure: Figure) -> bool:
@@ -96,6 +109,17 @@ class _Motions:
         new = bool(curves - self.curves)
         self.curves |= curves
         return new
+
+
+def _headed(page: Sequence[Block]) -> tuple[str, Sequence[Block], str]:
+    """The case in which the end of some blocks stands, the blocks of it, and the state that they tell; "": none."""
+    case, begun, state = "", page, ""
+    for i, block in enumerate(page):
+        if isinstance(block, Heading) and block.label == CASE:
+            case, begun, state = block.text, page[i:], ""
+        if isinstance(block, Heading) and block.label == STATE:
+            state = block.text
+    return case, begun, state
 
 
 class _Graphs:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 
 from planar_cli.figures.drawn import Drawn
@@ -34,27 +34,44 @@ ON = 1e-6
 
 def polygons(blocks: Sequence[Block], instant: InstantSolution) -> list[Figure]:
     """The polygons of the vector equations among some blocks, of velocities and of accelerations."""
-    found = closed_sums(blocks, instant)
+    return _figures(closed_sums(blocks, instant))
+
+
+def _figures(found: Sequence[Closed]) -> list[Figure]:
     made = ((letter, _panel(found, letter)) for letter in STYLES)
     return [_figure([panel], letter) for letter, panel in made if panel is not None]
 
 
-def polygons_of_states(blocks: Sequence[Block], motion: MotionTrace) -> Iterator[Figure]:
-    """The polygons of velocities in the states of a motion, side by side to one scale."""
+def polygons_of_states(
+    page: Sequence[Block], step: Sequence[Block], motion: MotionTrace, state: str = ""
+) -> Iterator[Figure]:
+    """The polygons of the vector equations of a step in a state of a motion that it tells; "": those of velocities in
+    all its states, side by side to one scale. `page`: with the equations above, on which these may rest.
+    """
     # Few pages have them.
     from planar_cli.report.at_state import placed
 
-    sums = [s for s in vector_sums(blocks) if s.letter == "v"]
+    own = {repr(s) for s in vector_sums(step) if state or s.letter == "v"}
+    if not any(len(s.terms) > 1 and repr(s) in own for s in vector_sums(step)):
+        return
     found = list[Panel]()
-    for state in motion.states if any(len(s.terms) > 1 for s in sums) else ():
-        regimes = (r for r in motion.regimes if any(state in stretch for stretch in r.stretches))
-        words = f" in state {state.replace('_', ' ')}"
-        panels = (_panel(closed_sums(blocks, placed(r.solution, motion, state)), "v", words) for r in regimes)
-        panel = next((p for p in panels if p is not None), None)
+    for name in motion.states if not state else [s for s in motion.states if s == state]:
+        regimes = (r for r in motion.regimes if any(name in stretch for stretch in r.stretches))
+        sums = ([*_of(own, closed_sums(page, placed(r.solution, motion, name)))] for r in regimes)
+        if state:
+            made = next((figures for s in sums if (figures := _figures(s))), [])
+            yield from made
+            continue
+        words = f" in state {name.replace('_', ' ')}"
+        panel = next((p for s in sums if (p := _panel(s, "v", words)) is not None), None)
         # What stays as it was is drawn once.
         found += [panel] if panel is not None and all(not _alike(panel, p) for p in found) else []
     if found:
         yield _figure(found, "v")
+
+
+def _of(own: Collection[str], sums: Sequence[Closed]) -> Iterator[Closed]:
+    return (c for c in sums if repr(c.sum) in own)
 
 
 def _alike(one: Panel, other: Panel) -> bool:
