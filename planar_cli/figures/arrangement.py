@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from planar_cli.figures.belts import belt_marks, frame_marks
 from planar_cli.figures.carried import shifted
-from planar_cli.figures.drawn import Drawn
+from planar_cli.figures.drawn import Drawn, named_body
 from planar_cli.figures.given_motion import Found, Moving, Told, arrows_apart, given_motion_marks
 from planar_cli.figures.held_later import slack_marks
 from planar_cli.figures.joints_drawn import sketch_marks
@@ -28,7 +28,7 @@ from planar_cli.figures.surfaces import surface_marks
 from planar_cli.figures.within import within
 from planar_cli.joints.base import Joint
 from planar_cli.problem.scene import Circle, Line, Particle, Problem, Round, Surface
-from planar_cli.report.blocks import line
+from planar_cli.report.blocks import Name, line
 from planar_cli.report.marks import (
     Angle,
     Arrow,
@@ -177,7 +177,7 @@ def _origin(measures: Sequence[Mark], tagged: dict[str, Spot]) -> Iterator[Mark]
     across = {abs(m.start[0] - m.end[0]) > abs(m.start[1] - m.end[1]) for m in level}
     if len(across) == 2 and all(math.hypot(*s) > 1e-9 for s in tagged.values()):
         yield Symbol("origin", (0.0, 0.0))
-        yield Tag((0.0, 0.0), line("0"))
+        yield Tag((0.0, 0.0), line(Name("0" if "O" in tagged else "O")))
 
 
 def _is_rim(drawn: Drawn, surface: Surface) -> bool:
@@ -215,4 +215,4 @@ def _bodies_named(drawn: Drawn, problem: Problem, tagged: dict[str, Spot]) -> It
         by_points = body.name in names or any(a + b == body.name for a in names for b in names)
         pointed = isinstance(body.shape, Particle) and spot in tagged.values()
         if spot is not None and not by_points and not pointed and body.name not in problem.hidden:
-            yield Tag(spot, line(body.name.replace("_", " ")))
+            yield Tag(spot, named_body(body.name))

@@ -17,8 +17,9 @@ from planar_cli.errors import PlanarError
 from planar_cli.problem.expression import Binary, Negate, Number, Side
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND, Problem
+from planar_cli.problem.walk import walk
 from planar_cli.records import record
-from planar_cli.report.blocks import Line
+from planar_cli.report.blocks import Line, Text, line
 from planar_cli.report.marks import Spot
 from planar_cli.report.sides import said
 from planar_cli.solve.between.trace import MotionTrace
@@ -158,6 +159,10 @@ def _scenes(motion: MotionTrace, state: str) -> Iterator[Scene]:
                 yield regime.solution.instant.scene
 
 
+TERMS = 3
+"""So many terms of a sum, those in brackets too, are too many to stand in a drawing."""
+INDEX = 2
+"""A piece of a name that is not longer is an index."""
 TINY = 1e-12
 """A direction that is shorter is none."""
 
@@ -187,6 +192,23 @@ def _opposite(side: Side) -> Side:
             return Binary(sign, _opposite(left), right, mark)
         case _:
             return Negate(side, side.mark)
+
+
+def brief(side: Side, value: float | None = None) -> Line:
+    """The same, where it can stand beside what it measures: no sum of many terms, nor what begins with a minus."""
+    signs = sum(isinstance(node, Binary) and node.operator in "+-" for node in walk(side))
+    first = side
+    while isinstance(first, Binary):
+        first = first.left
+    minus = first is not side and (isinstance(first, Negate) or (isinstance(first, Number) and first.value < 0))
+    return () if signs >= TERMS or minus else size_of(side, value)
+
+
+def named_body(body: str) -> Line:
+    """The name of a body in a drawing: gear_A with an index, sliding_block in words."""
+    stem, _, index = body.rpartition("_")
+    words = body.replace("_", " ")
+    return line(Text(f"{stem.replace('_', ' ')}_{index}" if stem and len(index) <= INDEX else words))
 
 
 def words_of(side: Side) -> Line:

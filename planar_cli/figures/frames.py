@@ -10,6 +10,7 @@ from planar_cli.errors import PlanarError
 from planar_cli.figures.arrangement import ALONE
 from planar_cli.figures.belts import belt_marks
 from planar_cli.figures.carried import Pose, carried
+from planar_cli.figures.drawn import named_body
 from planar_cli.figures.joints_drawn import sketch_marks
 from planar_cli.figures.outlines import edges, lying
 from planar_cli.figures.over_time import reached
@@ -221,7 +222,7 @@ class _Stage:
         for body in problem.bodies:
             called = body.name in named or any(a + b == body.name for a in named for b in named)
             if not called and body.name not in problem.hidden:
-                words = line(body.name.replace("_", " "))
+                words = named_body(body.name)
                 yield Thing(tuple(tuple(Tag(s, words) for s in _center(pose, body)) for pose in self.poses))
 
 

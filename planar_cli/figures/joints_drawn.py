@@ -7,10 +7,10 @@ from collections.abc import Iterator, Sequence
 from functools import singledispatch
 from typing import Any
 
-from planar_cli.figures.drawn import Drawn, size_of, words_of
+from planar_cli.figures.drawn import Drawn, brief, size_of, words_of
 from planar_cli.figures.floors import slide_marks
 from planar_cli.figures.ropes import Stop, cord_marks, straight
-from planar_cli.problem.expression import Quantity
+from planar_cli.problem.expression import Quantity, Side
 from planar_cli.problem.keys import Table
 from planar_cli.problem.sketches import (
     Absorber,
@@ -88,20 +88,26 @@ def _spiral(sketch: Spiral, drawn: Drawn, name: Line) -> Iterator[Mark]:
     ends = _ends(drawn, sketch)
     if ends is not None:
         free = None if sketch.free is None else drawn.number(sketch.free)
+        words = _strength(drawn, sketch.size)
         if free is not None:
-            yield from _buffer(ends, sketch.fixed, free)
+            yield from _buffer(ends, sketch.fixed, free, words)
             return
-        yield Coil(*ends)
+        yield Coil(*ends, words=words)
         yield from _walls(ends, sketch.fixed)
 
 
-def _buffer(ends: tuple[Spot, Spot], fixed: tuple[bool, bool], free: float) -> Iterator[Mark]:
+def _strength(drawn: Drawn, size: Side | None) -> Line:
+    """What stands beside a spring or damper; nothing of one that a case leaves out by a zero."""
+    return () if size is None or drawn.length(size) == 0 else brief(size)
+
+
+def _buffer(ends: tuple[Spot, Spot], fixed: tuple[bool, bool], free: float, words: Line) -> Iterator[Mark]:
     """A spring that only pushes: from where it is fastened as far as it goes, with a plate at its end."""
     held, other = ends[::-1] if fixed[1] or not fixed[0] else ends
     reach = min(free, math.dist(held, other))
     way = math.atan2(other[1] - held[1], other[0] - held[0])
     tip = (held[0] + reach * math.cos(way), held[1] + reach * math.sin(way))
-    yield Coil(held, tip)
+    yield Coil(held, tip, words=words)
     yield Symbol("plate", tip, way)
     yield from _walls((held, other), (any(fixed), False))
 
@@ -110,7 +116,7 @@ def _buffer(ends: tuple[Spot, Spot], fixed: tuple[bool, bool], free: float) -> I
 def _absorber(sketch: Absorber, drawn: Drawn, name: Line) -> Iterator[Mark]:
     ends = _ends(drawn, sketch)
     if ends is not None:
-        yield Dashpot(*ends)
+        yield Dashpot(*ends, words=_strength(drawn, sketch.size))
         yield from _walls(ends, sketch.fixed)
 
 

@@ -44,6 +44,8 @@ AXIS, APART = 30.0, 62.0
 """The length of an axis, and how far the axes are beside everything."""
 EXTENSION = "measure extension"
 """What leads from a place to its dimension: it lies below all else."""
+STRENGTH = 10.0
+"""So far from the middle line of a spring its letter stands."""
 LEFT = 10.0
 """So much is left of a dimension line on either side of its words."""
 BELOW = (LATER, WAY, EXTENSION)
@@ -138,6 +140,7 @@ def _coil(mark: Coil, scale: Scale) -> Iterator[Piece]:
     zigzag = [moved(start, angle, lead + inner * (i + 0.5) / (2 * turns), 6.0 * (-1) ** i) for i in range(2 * turns)]
     yield Stroke((start, moved(start, angle, lead), *zigzag, moved(start, angle, length - lead), end), "spring")
     yield from _yokes(mark, (start, end), angle)
+    yield from _strength(mark, (start, end), angle)
 
 
 @_drawn.register
@@ -152,6 +155,15 @@ def _dashpot(mark: Dashpot, scale: Scale) -> Iterator[Piece]:
     yield Stroke((moved(start, angle, piston, wide - 2), moved(start, angle, piston, 2 - wide)), "spring")
     yield Stroke((moved(start, angle, piston), end), "spring")
     yield from _yokes(mark, (start, end), angle)
+    yield from _strength(mark, (start, end), angle)
+
+
+def _strength(mark: Coil | Dashpot, ends: tuple[Spot, Spot], angle: float) -> Iterator[Piece]:
+    """The letter of a spring or damper, beside its middle and away from one that lies beside it."""
+    side = -1 if mark.lane < 0 else 1
+    middle = ((ends[0][0] + ends[1][0]) / 2, (ends[0][1] + ends[1][1]) / 2)
+    out = angle + side * math.pi / 2
+    yield Words(runs_of(mark.words), middle, "measure", (out, out + math.pi), STRENGTH)
 
 
 def _held(mark: Coil | Dashpot, scale: Scale) -> tuple[Spot, Spot, float]:

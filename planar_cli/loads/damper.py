@@ -59,7 +59,7 @@ class Damper(Load):
 
     def sketch(self, scene: Setting) -> tuple[Sketch, ...]:
         start, end = (scene.point(p) for p in self.between)
-        return (Absorber(start, end, fixed_ends(scene, *self.between)),)
+        return (Absorber(start, end, fixed_ends(scene, *self.between), self.coefficient),)
 
     def wrenches(self, scene: MovingSetting) -> tuple[Wrench, ...]:
         start, end = (scene.point(p) for p in self.between)

@@ -74,7 +74,7 @@ class Spring(Load):
         start, end = (scene.point(p) for p in self.between)
         pushes = self.acts == "push" and self.natural_length is not None
         free = scene.value(self.natural_length) if pushes and self.natural_length is not None else None
-        return (Spiral(start, end, fixed_ends(scene, *self.between), free),)
+        return (Spiral(start, end, fixed_ends(scene, *self.between), free, self.stiffness),)
 
     def modes(self, scene: Setting) -> tuple[Mode, ...]:
         if self.acts is None:

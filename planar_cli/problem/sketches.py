@@ -84,22 +84,26 @@ class Bar:
 @record
 class Spiral:
     """A helical spring; `fixed`: which of its ends are fastened to the ground? `free`: of one that only pushes its
-    length while nothing touches it.
+    length while nothing touches it. `size`: its stiffness as the file writes it.
     """
 
     start: Vec
     end: Vec
     fixed: tuple[bool, bool] = (False, False)
     free: Any = None
+    size: Side | None = None
 
 
 @record
 class Absorber:
-    """A viscous damper; `fixed`: which of its ends are fastened to the ground?"""
+    """A viscous damper; `fixed`: which of its ends are fastened to the ground? `size`: its force per speed as the file
+    writes it.
+    """
 
     start: Vec
     end: Vec
     fixed: tuple[bool, bool] = (False, False)
+    size: Side | None = None
 
 
 @record

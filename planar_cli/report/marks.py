@@ -86,7 +86,7 @@ class Hatched:
 @record
 class Coil:
     """A helical spring between two places; `like`: with as many turns as one of this length has, m (0: its own).
-    `aside`, `lane`, `cuts`: as of a damper.
+    `words`: its stiffness. `aside`, `lane`, `cuts`: as of a damper.
     """
 
     start: Spot
@@ -95,12 +95,14 @@ class Coil:
     aside: float = 0.0
     lane: float = 0.0
     cuts: tuple[float, float] = (0.0, 0.0)
+    words: Line = ()
 
 
 @record
 class Dashpot:
-    """A viscous damper between two places. On paper, px: `aside`: it lies so far to the left of the way from one to the
-    other; `lane`: so far beside another one, held with it at both ends; `cuts`: so much shorter it is at each end.
+    """A viscous damper between two places; `words`: its force per speed. On paper, px: `aside`: it lies so far to the
+    left of the way from one to the other; `lane`: so far beside another one, held with it at both ends; `cuts`: so much
+    shorter it is at each end.
     """
 
     start: Spot
@@ -108,6 +110,7 @@ class Dashpot:
     aside: float = 0.0
     lane: float = 0.0
     cuts: tuple[float, float] = (0.0, 0.0)
+    words: Line = ()
 
 
 @record
