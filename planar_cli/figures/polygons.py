@@ -12,6 +12,7 @@ from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 
 from planar_cli.figures.drawn import Drawn
+from planar_cli.figures.rings import off, way_of
 from planar_cli.figures.vector_sums import Sum, Term, vector_sums
 from planar_cli.figures.vector_values import Closed, Values
 from planar_cli.report.blocks import Block, Inline, Line, Math, Name, Text, line
@@ -24,8 +25,11 @@ KINDS = {"v": "velocities", "a": "accelerations"}
 POLE: Spot = (0.0, 0.0)
 SMALL, NIL = 0.03, 1e-9
 """A vector that is smaller than this part of the largest one is too short to be drawn, or is zero."""
-BESIDE = 6.0
-"""So far beside one another vectors along one line lie on paper, px."""
+BESIDE, LEVEL, UPRIGHT, LETTER = 6.0, 24.0, 16.0, 7.0
+"""So far beside one another vectors along one line lie on paper, px; where all do, with room for what stands beside
+each: for a row of letters, or for so much and the width of so many letters.
+"""
+TOUCH = 0.15
 BETWEEN = re.compile(r"_rel$|_cor$|/")
 """What lies between the tips of others."""
 ON = 1e-6
@@ -143,16 +147,18 @@ def _spans(c: Closed, style: Style) -> Iterator[Span]:
     tip = POLE
     for term, (x, y) in c.parts:
         start, tip = tip, (tip[0] + x, tip[1] + y)
-        yield Span(start, tip, style, _words(term, c.sum.letter))
+        yield Span(start, tip, style, _words(term, c.sum))
 
 
-def _words(term: Term, letter: str) -> Line:
-    """What a vector is called beside its arrow: v_B/A of ω × r_B/A, and α AB of an acceleration, for its size."""
+def _words(term: Term, whole: Sum) -> Line:
+    """What a vector is called beside its arrow: v_B/A of ω × r_B/A on one body, and ω AB or α AB otherwise, for its
+    size.
+    """
     end, start = term.arm
     if term.kind == "named":
         return line(Name(term.name))
     if term.kind in ("cross", "square"):
-        if letter == "v":
+        if whole.letter == "v" and _on_one_body(whole):
             return line(Name(f"v_{end}/{start}"))
         arm: Inline = Text(f"{start}{end}") if len(start) == len(end) == 1 else Name(f"r_{end}/{start}")
         return line(Math(term.rate), " ", arm)
@@ -161,14 +167,46 @@ def _words(term: Term, letter: str) -> Line:
     return line(*(p for pair in zip(apart, kept, strict=True) for p in pair))[1:]
 
 
+def _on_one_body(whole: Sum) -> bool:
+    """Is a velocity v_B = v_A + ω × r_B/A of a point B of the body, with no motion along the body besides?"""
+    return "′" not in whole.name and all(
+        t.kind == "cross" or (t.kind == "named" and not BETWEEN.search(t.name)) for t in whole.terms
+    )
+
+
 def _beside(spans: Sequence[Span], largest: float) -> Iterator[Span]:
     """Each vector beside those on which it would lie."""
+    apart = _apart(spans, largest)
     lanes: list[tuple[Span, int]] = []
     for span in spans:
-        taken = {lane for other, lane in lanes if _overlap(span, other, largest)}
+        wide = apart != BESIDE
+        taken = {lane for other, lane in lanes if _overlap(span, other, largest, TOUCH if wide else 0.0)}
         lane = next(n for n in (0, 1, -1, *range(2, len(spans) + 2)) if n not in taken)
         lanes.append((span, lane))
-        yield replace(span, aside=BESIDE * (lane if _ahead(span) else 0 - lane))
+        yield replace(span, aside=apart * (lane if _ahead(span) else 0 - lane))
+
+
+def _apart(spans: Sequence[Span], largest: float) -> float:
+    """How far vectors that would lie on each other are drawn apart, px."""
+    first, *rest = spans
+    if any(off(POLE, way_of(first.start, first.end), s) > ON * largest for one in rest for s in (one.start, one.end)):
+        return BESIDE
+    if sum(_overlap(first, other, largest) for other in rest) < 1:
+        return BESIDE
+    slope = abs(math.sin(way_of(first.start, first.end)))
+    longest = max(len("".join(map(_letters, s.words))) for s in spans)
+    return max(LEVEL * (1 - slope), slope * (UPRIGHT + LETTER * longest), LEVEL / 2)
+
+
+def _letters(piece: Inline) -> str:
+    """About what stands on paper of a piece."""
+    match piece:
+        case Name(name=name):
+            return name.replace("_", "")
+        case Math(expr=expr):
+            return re.sub(r"[\W_]|omega|alpha", "", str(expr)) + "."
+        case _:
+            return str(getattr(piece, "text", ""))
 
 
 def _ahead(span: Span) -> bool:
@@ -177,8 +215,12 @@ def _ahead(span: Span) -> bool:
     return x > ON * abs(y) or (abs(x) <= ON * abs(y) and y > 0)
 
 
-def _overlap(one: Span, other: Span, largest: float) -> bool:
-    """Do two vectors lie on each other?"""
+def _overlap(one: Span, other: Span, largest: float, touch: float = 0.0) -> bool:
+    """Do two vectors lie on each other? One that is shorter than `touch`, in parts of the largest, is lost already
+    where another one begins.
+    """
+    if min(_length(one), _length(other)) < touch * largest:
+        largest *= -1
     length = _length(one)
     ux, uy = (one.end[0] - one.start[0]) / length, (one.end[1] - one.start[1]) / length
     along, across = [], []
@@ -186,7 +228,7 @@ def _overlap(one: Span, other: Span, largest: float) -> bool:
         dx, dy = x - one.start[0], y - one.start[1]
         along.append(dx * ux + dy * uy)
         across.append(abs(dy * ux - dx * uy))
-    on = max(across) <= ON * largest
+    on = max(across) <= ON * abs(largest)
     return on and min(max(along), length) - max(min(along), 0.0) > ON * largest
 
 

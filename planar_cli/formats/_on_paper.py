@@ -11,7 +11,7 @@ from typing import Any
 from planar_cli.formats._graph import graph_pieces
 from planar_cli.formats._paper import Box, Disc, Paper, Run, Spot, Stroke, Words, along, box_of, runs_of
 from planar_cli.formats._signs import sign
-from planar_cli.formats._strokes import HEAD, LATER, WAY, Piece, arc, hatching, moved, pointed
+from planar_cli.formats._strokes import LATER, WAY, Piece, arc, hatching, moved, pointed
 from planar_cli.records import record
 from planar_cli.report.blocks import Line
 from planar_cli.report.graphs import Graph
@@ -207,7 +207,7 @@ def _words(mark: Any, anchor: Spot, angle: float, kind: str) -> Words:
 @_drawn.register
 def _span(mark: Span, scale: Scale) -> Iterator[Piece]:
     start, end = scale.spot(mark.start), scale.spot(mark.end)
-    if math.dist(start, end) < HEAD:
+    if math.dist(start, end) < 1.0:
         return
     angle = math.atan2(start[1] - end[1], end[0] - start[0])
     start, end = (moved(spot, angle, 0.0, mark.aside) for spot in (start, end))

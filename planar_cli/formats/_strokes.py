@@ -47,6 +47,8 @@ def pointed(places: tuple[Spot, ...], kind: str, shaft: str = "") -> Iterator[Pi
     """A line with an arrow head at its end. `shaft`: what the kind of the line alone has more."""
     (x0, y0), tip = places[-2:]
     angle = math.atan2(y0 - tip[1], tip[0] - x0)
-    neck = moved(tip, angle, -HEAD * 0.8)
-    yield Stroke((*places[:-1], neck), kind + shaft)
-    yield Stroke((tip, moved(tip, angle, -HEAD, WING), moved(tip, angle, -HEAD, -WING)), f"{kind} head", True)
+    # A short arrow has a small head.
+    part = min(math.hypot(tip[0] - x0, tip[1] - y0) / HEAD, 1.0) if len(places) == 2 else 1.0
+    head, wing = HEAD * part, WING * part
+    yield Stroke((*places[:-1], moved(tip, angle, -head * 0.8)), kind + shaft)
+    yield Stroke((tip, moved(tip, angle, -head, wing), moved(tip, angle, -head, -wing)), f"{kind} head", True)
