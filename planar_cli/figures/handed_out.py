@@ -16,6 +16,7 @@ from planar_cli.equation.setup import Setup
 from planar_cli.equation.system import Statements
 from planar_cli.errors import PlanarError
 from planar_cli.figures.arrangement import arranged
+from planar_cli.figures.broken import scene
 from planar_cli.figures.drawn import Drawn, words_of
 from planar_cli.problem import expression
 from planar_cli.problem.placeholders import PLACEHOLDER
@@ -64,7 +65,7 @@ def handed_out(problem: Problem) -> Figure | None:
         if first is None or not _moves(first.panel):
             return None
         panel = first.panel
-    return Figure((panel,), problem.title, name="scene")
+    return scene(panel, problem.title)
 
 
 def _with_shared(panel: Panel, cases: Sequence[_Given | None]) -> Panel:

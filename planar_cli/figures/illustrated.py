@@ -7,6 +7,7 @@ from dataclasses import replace
 from itertools import takewhile
 
 from planar_cli.figures.arrangement import arrangement, followed_arrangement
+from planar_cli.figures.broken import scene
 from planar_cli.figures.centres import Centres
 from planar_cli.figures.courses import course_figures
 from planar_cli.figures.diagrams import diagram
@@ -153,7 +154,7 @@ def _arrangement(solution: Solution) -> Figure | None:
             else None
         )
         if panel is not None and not all(isinstance(m, Axes) for m in panel.marks):
-            return Figure((panel,), solution.problem.title, name="scene")
+            return scene(panel, solution.problem.title)
     return None
 
 

@@ -11,6 +11,7 @@ from textwrap import wrap
 from planar_cli.formats._canvas import ACROSS, DOWN, Canvas
 from planar_cli.formats._labels import with_labels
 from planar_cli.formats._paper import Box, Disc, Paper, Run, Stroke, Words, along, box_of, runs_of
+from planar_cli.formats._signs import BREAK, HIDDEN
 from planar_cli.formats._small_plot import small_plot
 from planar_cli.formats._svg import unlabelled
 from planar_cli.plain_letters import letters
@@ -28,6 +29,8 @@ BESIDE = 150.0
 SMALL = 7.0
 """A circle that is not larger is a letter."""
 SIGNS = {"mass": "●", "pin": "○", "centre": "⊕", "dot": "·", "hidden": "○"}
+BROKEN = "≈"
+"""A line that is longer than it is drawn."""
 ARROWS, PLAIN_ARROWS = "→↗↑↖←↙↓↘", "> ^ < v "
 """By eighths of a turn; where there are no others, along an axis."""
 GAP = 3
@@ -81,7 +84,9 @@ def _panel(paper: Paper) -> _Block:
     for stroke in paper.strokes:
         if isinstance(stroke, Disc) and stroke.radius <= SMALL:
             _sign(canvas, dots(stroke.center), SIGNS.get(stroke.kind.split()[0], "·"))
-        elif stroke.kind != "hatch" and stroke not in tips:
+        elif stroke.kind == HIDDEN:
+            _sign(canvas, dots(_middle(stroke)), BROKEN)
+        elif stroke.kind != "hatch" and BREAK not in stroke.kind and stroke not in tips:
             spots = [dots(p) for p in along(stroke, 3.0)]
             for start, end in pairwise(spots):
                 canvas.stroke(start, end)
@@ -93,6 +98,12 @@ def _panel(paper: Paper) -> _Block:
         canvas.put(column, row, one.words.runs[0].text)
     lines = _trimmed(canvas.lines())
     return _Block(tuple(lines), max(map(len, lines), default=0), len(lines) // 2)
+
+
+def _middle(stroke: Stroke) -> tuple[float, float]:
+    """Of the corners of an area."""
+    xs, ys = zip(*stroke.places, strict=True)
+    return sum(xs) / len(xs), sum(ys) / len(ys)
 
 
 def _trimmed(lines: list[str]) -> list[str]:

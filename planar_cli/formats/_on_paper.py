@@ -13,7 +13,6 @@ from planar_cli.formats._paper import Box, Disc, Paper, Run, Spot, Stroke, Words
 from planar_cli.formats._signs import sign
 from planar_cli.formats._strokes import LATER, WAY, Piece, arc, hatching, moved, pointed
 from planar_cli.records import record
-from planar_cli.report.blocks import Line
 from planar_cli.report.graphs import Graph
 from planar_cli.report.marks import (
     Angle,
@@ -255,12 +254,12 @@ def _beside(level: Sequence[Dimension], frame: Box, scale: Scale) -> Iterator[Pi
         aside = frame.bottom + away - end[1] if across else end[0] - frame.left + away
         # On paper the way from left to right has what is below on its right, the way upward what is left on its left.
         side = (-1 if end[0] > start[0] else 1) if across else (1 if end[1] < start[1] else -1)
-        yield from _measured(mark.words, (start, end), side * aside)
+        yield from _measured(mark, (start, end), side * aside)
 
 
 @_drawn.register
 def _dimension(mark: Dimension, scale: Scale) -> Iterator[Piece]:
-    yield from _measured(mark.words, (scale.spot(mark.start), scale.spot(mark.end)), _away(mark))
+    yield from _measured(mark, (scale.spot(mark.start), scale.spot(mark.end)), _away(mark))
 
 
 def _away(mark: Dimension) -> float:
@@ -300,7 +299,7 @@ def _on_each_other(one: tuple[Spot, Spot], other: tuple[Spot, Spot]) -> bool:
     return all(abs(aside) < ROW / 4 for _, aside in ways) and low < length - 1.0 and high > 1.0
 
 
-def _measured(words: Line, places: tuple[Spot, Spot], aside: float) -> Iterator[Piece]:
+def _measured(mark: Dimension, places: tuple[Spot, Spot], aside: float) -> Iterator[Piece]:
     """A dimension line so far on the left of the way from place to place, with its words in a gap of it where it is
     long enough; 0: an arrow on the way itself.
     """
@@ -312,7 +311,7 @@ def _measured(words: Line, places: tuple[Spot, Spot], aside: float) -> Iterator[
     ends = (moved(start, angle, 0, aside), moved(end, angle, 0, aside))
     middle = ((ends[0][0] + ends[1][0]) / 2, (ends[0][1] + ends[1][1]) / 2)
     out = angle + math.pi / 2 * (side or 1)
-    told = Words(runs_of(words), middle, "measure", (out, out + math.pi), 3.0)
+    told = Words(runs_of(mark.words), middle, "measure", (out, out + math.pi), 3.0)
     gap = _gap(told, angle) if side else 0.0
     gap = gap if length > 2 * (gap + LEFT) else 0.0
     if side:
@@ -320,6 +319,8 @@ def _measured(words: Line, places: tuple[Spot, Spot], aside: float) -> Iterator[
             over = moved(beside, angle, 0, 4 * side)
             yield Stroke((moved(place, angle, 0, 4 * side), over), EXTENSION)
     yield from _ticked(ends, angle, both=bool(side), gap=gap)
+    if mark.broken:
+        yield from sign(Symbol("break", (0.0, 0.0), angle), moved(middle, angle, (length / 2 + gap) / 2))
     yield replace(told, within=gap > 0)
 
 

@@ -10,6 +10,8 @@ from planar_cli.formats._strokes import LATER, Piece, hatching, moved
 from planar_cli.report.marks import Symbol
 
 BLOCK = 26.0
+HIDDEN, BREAK = "gap", "break"
+"""What hides a line between the two strokes of a break, and these."""
 CORNERS = ((-0.5, 0.0), (0.5, 0.0), (0.5, 0.8), (-0.5, 0.8))
 SLIDER = (24.0, 14.0)
 HANGER = 24.0
@@ -56,8 +58,9 @@ def _place(mark: Symbol, at: Spot) -> Iterator[Piece]:
         case "place":
             yield Disc(at, 5.0, LATER)
         case "break":
-            for ahead in (-3.0, 3.0):
-                yield Stroke((moved(at, mark.angle, ahead - 3, -8), moved(at, mark.angle, ahead + 3, 8)), "thin")
+            sides = [(moved(at, mark.angle, a - 3, -8), moved(at, mark.angle, a + 3, 8)) for a in (-3.0, 3.0)]
+            yield Stroke((*sides[0], *reversed(sides[1])), HIDDEN, True)
+            yield from (Stroke(side, f"thin {BREAK}") for side in sides)
         case "hanger":
             yield from _hanger(at, mark.angle)
         case "plate":

@@ -176,7 +176,7 @@ class Turn:
 class Dimension:
     """A distance between two places, drawn beside them on the left of the way from one to the other (`side` 1), on the
     right (-1), or from the first to the second (0, a radius). `level`: it is along an axis, and drawn beside all else.
-    `row`: so many others lie between it and its way.
+    `row`: so many others lie between it and its way; `broken`: it is longer than it is drawn.
     """
 
     start: Spot
@@ -185,6 +185,7 @@ class Dimension:
     side: int = 1
     level: bool = False
     row: int = 0
+    broken: bool = False
 
 
 @record
