@@ -84,7 +84,7 @@ def _panel(paper: Paper) -> _Block:
     for stroke in paper.strokes:
         if isinstance(stroke, Disc) and stroke.radius <= SMALL:
             _sign(canvas, dots(stroke.center), SIGNS.get(stroke.kind.split()[0], "·"))
-        elif stroke.kind == HIDDEN:
+        elif isinstance(stroke, Stroke) and stroke.kind == HIDDEN:
             _sign(canvas, dots(_middle(stroke)), BROKEN)
         elif stroke.kind != "hatch" and BREAK not in stroke.kind and stroke not in tips:
             spots = [dots(p) for p in along(stroke, 3.0)]

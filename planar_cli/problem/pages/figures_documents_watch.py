@@ -16,6 +16,8 @@ Figures of a page
   the scene                as the file draws it: bodies, joints, springs, ropes, given lengths and angles, axes, and g
                            where there is weight. Of a motion it is drawn where the motion begins; later positions are
                            dashed, each with the name of its state. A body without a shape is a point or a block.
+                           Where a long rope, floor or distance would make all else too small to be read, it is broken
+                           (two strokes across it): not to scale along that line, which the figure says.
   diagrams                 beside each list of forces: on the left what acts (red), on the right what it amounts to, m a
                            and I α (blue), in the position in which the equations are written. An arrow points in the
                            sense in which the letter is counted; a negative result is a force the other way. Where the
