@@ -30,6 +30,7 @@ from planar_cli.report.marks import (
     Polyline,
     Spot,
     Symbol,
+    Tag,
     Turn,
 )
 from planar_cli.report.narrate import narrate
@@ -223,3 +224,32 @@ def test_a_support_lies_on_the_side_away_from_what_hangs_on_it(name: str, above:
     supports = [m for m in marks if isinstance(m, Symbol) and m.kind == "support"]
     assert supports
     assert all((math.cos(m.angle) < 0) is above for m in supports)
+
+
+def test_the_name_of_a_body_stands_beside_it() -> None:
+    marks = drawings("kinematics/planetary-gear")["scene"].panels[0].marks
+    at = {"".join(getattr(p, "text", "") for p in m.words): m.at for m in marks if isinstance(m, Tag)}
+    assert 0.06 < math.hypot(*at["annulus"]) <= 0.1201, "not within the sun"
+    assert math.hypot(*at["sun"]) < 0.06
+    marks = drawings("kinematics/quick-return")["scene"].panels[0].marks
+    at = {"".join(getattr(p, "text", "") for p in m.words): m.at for m in marks if isinstance(m, Tag)}
+    bars = {m.places[0]: m.places for m in marks if isinstance(m, Polyline) and m.style == "body"}
+    (pin,) = (m.at for m in marks if isinstance(m, Symbol) and m.kind == "slider")
+    for name in ("arm", "crank"):
+        near = [
+            bar
+            for bar in bars.values()
+            if math.dist(bar[0], at[name]) + math.dist(at[name], bar[-1]) < math.dist(bar[0], bar[-1]) * 1.001
+        ]
+        assert len(near) == 1, "on its own bar, and not where both are"
+        assert math.dist(at[name], pin) > 0.05
+
+
+def test_a_rotation_about_a_fixed_pin_is_drawn_there() -> None:
+    marks = drawings("kinematics/pin-where-two-slots-cross")["scene"].panels[0].marks
+    supports = {m.at for m in marks if isinstance(m, Symbol) and m.kind == "support"}
+    assert {m.at for m in marks if isinstance(m, Turn)} == supports
+    marks = drawings("kinematics/planetary-gear")["scene"].panels[0].marks
+    told = {repr(m.words) for m in marks if isinstance(m, Turn)}
+    assert len(told) == 2
+    assert all("omega_" in words for words in told), "whose each is, where two turn about one place"

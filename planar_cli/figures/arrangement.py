@@ -9,11 +9,12 @@ from typing import TYPE_CHECKING
 
 from planar_cli.figures.belts import belt_marks, frame_marks
 from planar_cli.figures.carried import shifted
-from planar_cli.figures.drawn import Drawn, named_body
+from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.given_motion import Found, Moving, Told, arrows_apart, given_motion_marks
 from planar_cli.figures.held_later import slack_marks
 from planar_cli.figures.joints_drawn import sketch_marks
 from planar_cli.figures.measures import measure_marks
+from planar_cli.figures.names import names_of_bodies
 from planar_cli.figures.outlines import edges, lying
 from planar_cli.figures.parallel import with_parallel_ropes
 from planar_cli.figures.partners import partners, sketch_of, sliders, touching
@@ -168,7 +169,7 @@ def _marks(drawn: Drawn, moving: Moving | None, joints: Sequence[Joint], later: 
     if moving is not None:
         yield from arrows_apart(given_motion_marks(moving, problem, aside), sketched)
     yield Axes(problem.plane == "vertical")
-    yield from _bodies_named(drawn, problem, tagged)
+    yield from names_of_bodies(drawn, problem, tagged)
 
 
 def _origin(measures: Sequence[Mark], tagged: dict[str, Spot]) -> Iterator[Mark]:
@@ -204,15 +205,3 @@ def _particles(drawn: Drawn, problem: Problem, shown: dict[str, Spot]) -> dict[s
         if alone and spot is not None:
             found[body.name] = spot
     return found
-
-
-def _bodies_named(drawn: Drawn, problem: Problem, tagged: dict[str, Spot]) -> Iterator[Mark]:
-    """The names of bodies that are not called by their points."""
-    names = set(tagged)
-    for body in problem.bodies:
-        model = drawn.scene.bodies[body.name]
-        spot = drawn.spot(model.center)
-        by_points = body.name in names or any(a + b == body.name for a in names for b in names)
-        pointed = isinstance(body.shape, Particle) and spot in tagged.values()
-        if spot is not None and not by_points and not pointed and body.name not in problem.hidden:
-            yield Tag(spot, named_body(body.name))

@@ -12,6 +12,7 @@ from typing import Protocol
 from planar_cli.equation.motion import Motion
 from planar_cli.figures.angles import angle_from_its_zero
 from planar_cli.figures.drawn import TINY, Drawn, size_of, words_of
+from planar_cli.figures.partners import pivot_of
 from planar_cli.problem.expression import PointPair, Quantity, Relation, Side
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND, Problem
@@ -106,12 +107,25 @@ def given_motion_marks(moving: Moving, problem: Problem, aside: Mapping[str, Spo
     told: dict[tuple[str, str], dict[str, _Given]] = {}
     for one in _given(problem):
         told.setdefault((one.word, one.name), {}).setdefault(one.part, one)
+    places = {key: _where(moving.drawn, *key) for key in told}
     for (word, name), parts in told.items():
-        at = _place(moving.drawn, name)
+        at = places[word, name]
         if at is None:
             continue
         at = (at[0] + aside.get(name, (0.0, 0.0))[0], at[1] + aside.get(name, (0.0, 0.0))[1])
-        yield from _turn(moving, word, at, parts) if word in ROTATIONS else _vector(moving, word, name, at, parts)
+        if word not in ROTATIONS:
+            yield from _vector(moving, word, name, at, parts)
+            continue
+        alone = all(other == (word, name) or places[other] != places[word, name] for other in told if other[0] == word)
+        for mark in _turn(moving, word, at, parts):
+            # Of several at one place nobody would see whose each is.
+            yield mark if alone else replace(mark, words=line(Name(f"{word}_{name}"), " = ", *mark.words))
+
+
+def _where(drawn: Drawn, word: str, name: str) -> Spot | None:
+    """Where a vector begins; a rotation about a fixed pin is drawn there."""
+    pivot = pivot_of(drawn, name) if word in ROTATIONS else None
+    return pivot or _place(drawn, name)
 
 
 def _place(drawn: Drawn, name: str) -> Spot | None:
@@ -158,7 +172,7 @@ def _given(problem: Problem) -> Iterator[_Given]:
             yield _Given(asked.word, asked.things[0], part, relation.right, way)
 
 
-def _turn(moving: Moving, word: str, at: Spot, parts: Mapping[str, _Given]) -> Iterator[Mark]:
+def _turn(moving: Moving, word: str, at: Spot, parts: Mapping[str, _Given]) -> Iterator[Turn]:
     (one,) = parts.values()
     number = moving.drawn.length(one.size)
     words = size_of(one.size, number)

@@ -9,6 +9,7 @@ from typing import Any
 
 from planar_cli.figures.drawn import Drawn, brief, size_of, words_of
 from planar_cli.figures.floors import slide_marks
+from planar_cli.figures.partners import pivot_of
 from planar_cli.figures.ropes import Stop, cord_marks, straight
 from planar_cli.problem.expression import Quantity, Side
 from planar_cli.problem.keys import Table
@@ -155,7 +156,7 @@ def _push(sketch: Push, drawn: Drawn, name: Line) -> Iterator[Mark]:
 
 @_drawn.register
 def _twist(sketch: Twist, drawn: Drawn, name: Line) -> Iterator[Mark]:
-    at = drawn.spot(sketch.at)
+    at = pivot_of(drawn, sketch.body) or drawn.spot(sketch.at)
     # A moment that goes with the motion has no number, and no sense, in a drawing.
     known = not isinstance(sketch.size, Table) and not any(isinstance(n, Quantity) for n in walk(sketch.size))
     size = None if isinstance(sketch.size, Table) or not known else drawn.length(sketch.size)

@@ -10,7 +10,8 @@ from planar_cli.joints.base import Joint
 from planar_cli.problem import expression
 from planar_cli.problem.entry import Entry
 from planar_cli.problem.scene import Line, Particle, Problem, Surface
-from planar_cli.problem.sketches import Sketch
+from planar_cli.problem.sketches import Hinge, Sketch
+from planar_cli.report.marks import Spot
 
 
 def touching(problem: Problem, surface: Surface, joints: Sequence[Joint] | None = None) -> Iterator[str]:
@@ -61,3 +62,12 @@ def sketch_of(drawn: Drawn, entry: Entry) -> tuple[Sketch, ...]:
         return entry.sketch(drawn.scene)
     except PlanarError:
         return ()
+
+
+def pivot_of(drawn: Drawn, body: str) -> Spot | None:
+    """Where a body turns about a fixed pin; None: it does not."""
+    for joint in drawn.scene.problem.joints:
+        for sketch in sketch_of(drawn, joint):
+            if isinstance(sketch, Hinge) and sketch.grounded and body in sketch.bodies:
+                return drawn.spot(sketch.at)
+    return None

@@ -77,7 +77,7 @@ class Impulse(Load):
     def sketch(self, scene: Setting) -> tuple[Sketch, ...]:
         point = scene.point(self.at) if self.at is not None else scene.center(self.body)
         if self.moment is not None:
-            return (Twist(point, self.moment),)
+            return (Twist(point, self.moment, body=self.body),)
         assert self.angle is not None
         return (Push(point, heading(scene, self.angle), self.magnitude),)
 

@@ -62,7 +62,7 @@ class Torque(Load):
     def sketch(self, scene: Setting) -> tuple[Sketch, ...]:
         first, second = (GROUND, self.body) if self.body is not None else self.between or (GROUND, GROUND)
         both = ((second, False), (first, True))
-        return tuple(Twist(scene.center(b), self.moment, against) for b, against in both if b != GROUND)
+        return tuple(Twist(scene.center(b), self.moment, against, b) for b, against in both if b != GROUND)
 
     def wrenches(self, scene: MovingSetting) -> tuple[Wrench, ...]:
         moment = scene.size(self.moment, self.mark)

@@ -131,12 +131,13 @@ class Push:
 @record
 class Twist:
     """A couple about a place, counterclockwise where its size is positive, with its size as the file writes it.
-    `reversed`: it is the reaction to that, the other way round.
+    `reversed`: it is the reaction to that, the other way round. `body`: on which it acts.
     """
 
     at: Vec
     size: Side | Table
     reversed: bool = False
+    body: str = ""
 
 
 Sketch = Hinge | Slide | Fastening | Cord | Bar | Spiral | Absorber | Loop | Push | Twist
