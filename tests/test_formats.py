@@ -304,6 +304,8 @@ def test_a_bar_in_a_formula_does_not_end_its_cell() -> None:
     (doc.line("J (u + v)/2 = ", value("-4", "J")), r"J (u + v)/2 = $-4~\mathrm{J}$"),
     (doc.line(doc.Name("v_P"), "′ = 2 ω × ", h), r"$v_{P}' = 2 \omega \times h$"),
     (doc.line(doc.Name("low_is_stable"), ": yes"), r"low\_is\_stable: yes"),
+    (doc.line("it strikes at v_0, at G_AB; F_0*sin(w t), a face_1"),
+     r"it strikes at $v_{0}$, at $G_{AB}$; F\_0\*sin(w t), a face\_1"),
 ])  # fmt: skip
 def test_one_formula_for_each_datum(line: doc.Line, text: str) -> None:
     """Units upright; words, and brackets of words, stay words."""

@@ -33,9 +33,10 @@ OURS = frozenset(
     "uparrow downarrow nearrow nwarrow searrow swarrow leftrightarrow updownarrow circlearrowleft circlearrowright sin "
     "cos tan cot sec csc arcsin arccos arctan sinh cosh tanh ln exp max min alpha beta gamma delta epsilon zeta eta "
     "theta kappa lambda mu nu xi pi rho sigma tau phi chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Phi Psi Omega "
-    "vartheta char quotedblbase o O ae AE oe OE l L i u r H v c k".split()
+    "vartheta nopagebreak medskip centering dimexpr tabcolsep arrayrulewidth relax "
+    "char quotedblbase o O ae AE oe OE l L i u r H v c k".split()
 )
-ENVIRONMENTS = {"document", "itemize", "longtable", "tabular", "tikzpicture", "center", "cases", "minipage"}
+ENVIRONMENTS = {"document", "itemize", "longtable", "tabular", "tikzpicture", "cases", "minipage"}
 
 
 def page_of(path: Path) -> doc.Document:

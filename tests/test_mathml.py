@@ -66,7 +66,8 @@ def test_every_command_that_the_report_writes_is_known() -> None:
     folder = Path(planar_cli.__file__).parent
     written = {name for file in WRITERS for name in re.findall(r"\\([A-Za-z]{2,})", (folder / file).read_text())}
     unknown = [n for n in sorted(written) if f"<mtext>\\{n}" in MathML().display(rf"\{n}{{x}}{{y}} \tag{{1}}")]
-    assert [n for n in unknown if n not in ("tag", "right", "end")] == []
+    # The last three stand in Markdown alone, for viewers that take other signs for their own.
+    assert [n for n in unknown if n not in ("tag", "right", "end", "cr", "thinspace", "vert")] == []
     assert len(written) > 30
 
 

@@ -13,6 +13,8 @@ from planar_cli.report.lettered import lettered
 NAMING = ("CASE", "STATE", "MOTION")
 """Labels behind which stands a name, no title."""
 DIAGRAMS = "free-body diagram = kinetic diagram"
+ANNOUNCING = ("Given", "Find", "Principle", "Assume", "Motion")
+"""Notes that say what follows: they stay on one sheet with it."""
 NOTHING = (Text("0"),)
 """The right-hand side of a body in equilibrium."""
 

@@ -31,6 +31,7 @@ Kind = Literal[
     "letter",
     "unit",
     "space",
+    "named",
     "word",
 ]
 
@@ -53,7 +54,8 @@ TAILS = {"²": "^{2}", "³": "^{3}", "⁴": "^{4}", "′": "'"}
 OPENING, CLOSING = {"(": "(", "[": r"\lbrack "}, {")": ")", "]": r"\rbrack "}
 FUNCTIONS = ("sin", "cos", "tan", "cot", "arctan", "arcsin", "arccos", "exp", "ln")
 TOKENS = re.compile(
-    r"(?P<sign> ?[=≠<≤>≥≈→·×](?= |$)|[-+](?= ?)|/)|(?P<tail>[²³⁴′])|(?P<comma>,(?= ))|(?P<open>[(\[])"
+    r"(?P<named>(?<!\w)[A-Za-zΑ-Ωα-ω]_(?:[A-Z]/[A-Z]|[A-Za-z0-9Α-Ωα-ω]{1,8})(?![\w*/^]))"
+    r"|(?P<sign> ?[=≠<≤>≥≈→·×](?= |$)|[-+](?= ?)|/)|(?P<tail>[²³⁴′])|(?P<comma>,(?= ))|(?P<open>[(\[])"
     r"|(?P<unit>(?<=[)\]]) (?:[kmcM]?[mNgJWs]|rad|ft|in\.|lbf?)(?:[·/](?:[kmc]?[msgN]|rad|ft|in\.)[²³⁴]?)*(?![\w·/²]))"
     r"|(?P<close>[)\]])|(?P<bar>\|)|(?P<root>√)"
     rf"|(?P<function>(?:{'|'.join(FUNCTIONS)})(?![\w.]))|(?P<number>\d+(?:\.\d+)?(?![\w:.°%])|\d+(?:\.\d+)?°)"
@@ -109,6 +111,10 @@ def _atoms(
         return
     for match in TOKENS.finditer(piece.text):
         kind = next(k for k in KINDS if match[k] is not None)
+        if kind == "named":
+            # One letter with its subscript, among words of the file: v_0, G_AB.
+            yield from _atoms(Name(match[0]), formula, escaped, marked)
+            continue
         yield Atom(kind, _tex(kind, match[0].strip()), escaped(match[0]))
 
 

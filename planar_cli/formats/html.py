@@ -12,7 +12,7 @@ from html import escape
 from typing import ClassVar, Protocol
 
 from planar_cli.formats import _svg
-from planar_cli.formats._alike import NAMING, answer_line, aside_of, check_line, heading_words, table_of
+from planar_cli.formats._alike import ANNOUNCING, NAMING, answer_line, aside_of, check_line, heading_words, table_of
 from planar_cli.formats._formulas import joined
 from planar_cli.formats._latex import equation, formula
 from planar_cli.formats.base import Pages, runs_of
@@ -59,7 +59,7 @@ p{margin:.5rem 0}.equation{display:block;margin:.4rem 0 .4rem 2rem;overflow-x:au
 table{border-collapse:collapse;margin:.6rem 0;display:block;overflow-x:auto}th,td{border:1px solid var(--line);
 padding:.25rem .6rem;text-align:left;vertical-align:top}th{background:var(--tint)}
 .answer{border:1.5px solid var(--accent);border-radius:6px;padding:.4rem .8rem;margin:1rem 0;background:var(--tint)}
-.answer ul{margin:.2rem 0;padding-left:1.2rem}.foot{color:var(--muted);font-size:.92rem}
+.answer ul{margin:.2rem 0;padding-left:1.2rem}li math{math-style:normal}.foot{color:var(--muted);font-size:.92rem}
 figure{margin:.8rem 0;text-align:center;overflow-x:auto}figure svg{max-width:100%;height:auto}
 .panels{display:flex;flex-wrap:wrap;justify-content:center;align-items:center;gap:.5rem 1rem}.between{font-size:1.4rem}
 figcaption{flex-basis:100%;font-size:.92rem}
@@ -69,7 +69,8 @@ figcaption{flex-basis:100%;font-size:.92rem}
 display:block;font-size:.92rem}.panels{flex-direction:column}figcaption{flex-basis:auto}}
 @media print{body{max-width:none;padding:0;font-size:10.5pt}summary{list-style:none}details{margin-top:.6rem}
 details::details-content{content-visibility:visible}figure,table,tr,.answer,.equation{break-inside:avoid}
-summary,.title,.case,.part,.lead,.forces{break-after:avoid}figure{margin:.3rem 0}figure svg{zoom:.8}
+summary,.title,.case,.part,.lead,.forces,p:has(+.forces),.answer:has(+.foot){break-after:avoid}
+figure{margin:.3rem 0}figure svg{zoom:.8}
 .equation,table,figure{overflow:visible}table{display:table}}
 @page{margin:16mm 18mm}
 """
@@ -168,8 +169,12 @@ class Html(Pages):
     def notes(self, run: Sequence[Note]) -> list[str]:
         label = f"<strong>{words(run[0].kind)}</strong>"
         if len(run) == 1:
-            return [f"<p>{label} {self.inline(run[0].line)}</p>"]
-        return [f"<p>{label}</p>", "<ul>" + "".join(f"<li>{self.inline(n.line)}</li>" for n in run) + "</ul>"]
+            look = ' class="lead"' if run[0].kind in ANNOUNCING else ""
+            return [f"<p{look}>{label} {self.inline(run[0].line)}</p>"]
+        return [
+            f'<p class="lead">{label}</p>',
+            "<ul>" + "".join(f"<li>{self.inline(n.line)}</li>" for n in run) + "</ul>",
+        ]
 
     def drawings(self, run: Sequence[Drawing]) -> list[str]:
         return [_figure(d.figure, self.inline(d.figure.note)) for d in run]

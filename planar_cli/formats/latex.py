@@ -11,7 +11,7 @@ from itertools import chain
 from typing import ClassVar, final
 
 from planar_cli.formats import _latex
-from planar_cli.formats._alike import answer_line, aside_of, check_line, heading_words, table_of
+from planar_cli.formats._alike import ANNOUNCING, answer_line, aside_of, check_line, heading_words, table_of
 from planar_cli.formats._formulas import joined
 from planar_cli.formats._tikz import COLOURS, tikz
 from planar_cli.formats.base import Pages, runs_of
@@ -57,14 +57,14 @@ PREAMBLE = rf"""\documentclass[11pt,a4paper]{{article}}
 \fi
 % A title or heading: its size, its words, what stands beside it.
 \newcommand{{\planarhead}}[3]{{\par\addvspace{{1.2\bigskipamount}}%
-  {{#1\bfseries\noindent #2\hfill{{\normalfont\small #3}}\par}}%
+  {{#1\bfseries\noindent #2\unskip\hskip1em\hfil\penalty50\null\nobreak\hfill{{\normalfont\small #3}}\par}}%
   \nopagebreak\smallskip}}
 % A formula on display, which may break, and its number.
 \newcommand{{\planarshown}}[2]{{\par\smallskip
   {{\leftskip=2em\rightskip=0pt plus 1fil\parfillskip=0pt\hangindent=2em\noindent #1%
   \unskip\nobreak\hfill\penalty50\hskip1em\null\nobreak\hfill\hbox{{#2}}\par}}\smallskip}}
 \newcommand{{\planaranswer}}[1]{{\par\medskip
-  \fbox{{\begin{{minipage}}{{\dimexpr\linewidth-2\fboxsep-2\fboxrule\relax}}#1\end{{minipage}}}}\par\medskip}}
+  \fbox{{\begin{{minipage}}{{\dimexpr\linewidth-2\fboxsep-2\fboxrule\relax}}\everymath{{\displaystyle}}#1\end{{minipage}}}}\par\nopagebreak\medskip}}
 \newcommand{{\planarlist}}[1]{{{{\topsep=2pt\partopsep=0pt\parskip=0pt
   \begin{{itemize}}\setlength{{\itemsep}}{{2pt}}\setlength{{\parskip}}{{0pt}}#1\end{{itemize}}}}}}
 \setlength{{\parindent}}{{0pt}}
@@ -104,7 +104,7 @@ class Latex(Pages):
         return [self._heading(h) for h in run]
 
     def paragraphs(self, run: Sequence[Paragraph]) -> list[str]:
-        return [_inline(p.line) for p in run]
+        return [_announcing(told) if (told := _inline(p.line)).endswith(":") else told for p in run]
 
     def bullets(self, run: Sequence[Bullet]) -> list[str]:
         return [_listed(_inline(b.line) for b in run)]
@@ -116,7 +116,8 @@ class Latex(Pages):
         return [rf"$\Rightarrow$ {_inline(r.line)}" for r in run]
 
     def forces(self, run: Sequence[Forces]) -> list[str]:
-        return self.tables([table_of(run)])
+        # With the words above it and the figure below it a list of forces stays on one page.
+        return [f"\\nopagebreak\n{table}\\par\\nopagebreak" for table in self.tables([table_of(run)])]
 
     def tables(self, run: Sequence[Table]) -> list[str]:
         return [_table([_inline(c) for c in t.header], [tuple(map(_inline, row)) for row in t.rows]) for t in run]
@@ -133,11 +134,13 @@ class Latex(Pages):
     def notes(self, run: Sequence[Note]) -> list[str]:
         label = rf"\textbf{{{words(run[0].kind)}}}"
         if len(run) == 1:
-            return [f"{label} {_inline(run[0].line)}"]
+            told = f"{label} {_inline(run[0].line)}"
+            return [_announcing(told) if run[0].kind in ANNOUNCING else told]
         return [f"{label}\n{_listed(_inline(n.line) for n in run)}"]
 
     def drawings(self, run: Sequence[Drawing]) -> list[str]:
-        return [f"\\begin{{center}}\n{tikz(d.figure)}\n\\end{{center}}" for d in run]
+        # The environment `center` would let a page end before it.
+        return [f"\\medskip\n{{\\centering\n{tikz(d.figure)}\\par}}\n\\medskip" for d in run]
 
     def typed(self, run: Sequence[Typed]) -> list[str]:
         rows = chain.from_iterable(t.rows for t in run)
@@ -163,6 +166,11 @@ def _inline(line: Line) -> str:
     return in_ascii(joined(line, _formula, words, _marked).strip())
 
 
+def _announcing(told: str) -> str:
+    """A paragraph that stays on one page with what it announces."""
+    return rf"{told}\par\nopagebreak"
+
+
 def _marked(part: Text) -> str:
     command = {"strong": "textbf", "muted": "textit"}[part.style]
     return rf"\{command}{{{words(part.text)}}}"
@@ -186,8 +194,8 @@ def _shown(told: Equation) -> str:
 
 
 def _table(header: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
-    """A table with columns as wide as what is in them; one that does not fit so, or on a page, has columns of fixed
-    widths, by which it is right when TeX reads it once.
+    """A table with columns as wide as what is in them; one that does not fit so has columns of fixed widths, and one
+    that may not fit on a page goes on on the next, with widths by which it is right when TeX reads it once.
     """
     longest = [max(map(_size, column)) for column in zip(header, *rows, strict=True)]
     body = "\n".join([rf"{' & '.join(row)} \\ \hline" for row in rows])
@@ -196,9 +204,17 @@ def _table(header: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
         columns = "|".join("l" for _ in header)
         return f"\\begin{{tabular}}{{|{columns}|}}\n\\hline\n{head}\n{body}\n\\end{{tabular}}"
     parts = [min(max(n, 8), WIDE // 2) for n in longest]
-    share = 0.94 / max(sum(parts), WIDE)
-    columns = "|".join(rf">{{\raggedright\arraybackslash}}p{{{share * part:.3f}\linewidth}}" for part in parts)
+    share = 0.99 / max(sum(parts), WIDE)
+    columns = "|".join(rf">{{\raggedright\arraybackslash}}p{{{_less(share * part)}}}" for part in parts)
+    high = sum(max(-(-_size(cell) // part) for cell, part in zip(row, parts, strict=True)) for row in rows)
+    if high <= HIGH:
+        return f"\\begin{{tabular}}{{|{columns}|}}\n\\hline\n{head}\n{body}\n\\end{{tabular}}"
     return f"\\begin{{longtable}}[l]{{|{columns}|}}\n\\hline\n{head}\n\\endhead\n{body}\n\\end{{longtable}}"
+
+
+def _less(share: float) -> str:
+    """A part of the line, without what stands on both sides of a column."""
+    return rf"\dimexpr{share:.3f}\linewidth-2\tabcolsep-\arrayrulewidth\relax"
 
 
 def _size(cell: str) -> int:

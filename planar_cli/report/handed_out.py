@@ -19,6 +19,7 @@ from planar_cli.homework.sheets import Handed
 from planar_cli.problem.show import harmless, paragraphs_of
 from planar_cli.report.blocks import Block, Bullet, Inline, Line, Name, Paragraph, Table, Text, Title, Typed, line
 from planar_cli.report.lettered import lettered
+from planar_cli.report.prose import with_pretty_units
 from planar_cli.units import pretty_unit
 
 Piece: TypeAlias = Block | Printed
@@ -47,7 +48,7 @@ def sheet(homework: Homework, one: Handed) -> Iterator[Piece]:
 
 
 def _paragraphs(text: str) -> Iterator[Block]:
-    return (Paragraph(_words(p)) for p in paragraphs_of(text))
+    return (Paragraph(_words(with_pretty_units(p))) for p in paragraphs_of(text))
 
 
 def _plain(text: str) -> str:

@@ -8,12 +8,13 @@ from planar_cli.problem.placeholders import put_in
 from planar_cli.problem.scene import Problem
 from planar_cli.problem.show import paragraphs_of
 from planar_cli.report.blocks import Block, Document, Paragraph, line
+from planar_cli.report.prose import with_pretty_units
 
 
 def stated_text(problem: Problem) -> list[Block]:
     """The paragraphs; none of a file without a text."""
     values = {s.name: s.written for s in problem.given if s.written}
-    return [Paragraph(line(p)) for p in paragraphs_of(put_in(problem.text, values))]
+    return [Paragraph(line(with_pretty_units(p))) for p in paragraphs_of(put_in(problem.text, values))]
 
 
 def with_task(document: Document, problem: Problem) -> Document:
