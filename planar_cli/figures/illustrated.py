@@ -12,10 +12,23 @@ from planar_cli.figures.centres import Centres
 from planar_cli.figures.courses import course_figures
 from planar_cli.figures.diagrams import diagram
 from planar_cli.figures.followed import motion_figure
+from planar_cli.figures.particle_vectors import vector_figures
 from planar_cli.figures.polygons import polygons, polygons_of_states
-from planar_cli.report.blocks import Answer, Block, Check, Document, Drawing, Forces, Heading, Paragraph, Table
+from planar_cli.report.blocks import (
+    Answer,
+    Block,
+    Check,
+    Document,
+    Drawing,
+    Equation,
+    Forces,
+    Heading,
+    Paragraph,
+    Table,
+)
 from planar_cli.report.graphs import Curve, Graph
 from planar_cli.report.marks import Axes, Figure
+from planar_cli.report.mentioned import names_in
 from planar_cli.report.read_off import INTEGRATED, UNIFORM_MOTION
 from planar_cli.solve.solved_problem import Solution
 
@@ -47,6 +60,7 @@ def _blocks(document: Document, solution: Solution) -> Iterator[Block]:
     case = instants.get("", ())
     instant, step = next(iter(case), None), list[Block]()
     graphs, centres, motions = _Graphs(solution), Centres(solution, document.blocks), _Motions(solution)
+    vectors = _Vectors(solution, document.blocks)
     for place, block in enumerate(document.blocks):
         if first is not None and not isinstance(block, Paragraph):
             yield Drawing(first)
@@ -55,7 +69,9 @@ def _blocks(document: Document, solution: Solution) -> Iterator[Block]:
             above = document.blocks[:place]
             yield from map(Drawing, centres.told(step, instant))
             yield from map(Drawing, polygons(step, instant) if instant is not None else motions.polygons(above, step))
-            if isinstance(block, Answer) or block.label == CASE:
+            ended = isinstance(block, Answer) or block.label == CASE
+            yield from map(Drawing, vectors.figures(above, step, ended))
+            if ended:
                 yield from map(Drawing, motions.graphs(above))
             if isinstance(block, Answer):
                 yield from map(Drawing, centres.told(_checks(document.blocks[place:]), instant))
@@ -110,6 +126,25 @@ class _Motions:
         new = bool(curves - self.curves)
         self.curves |= curves
         return new
+
+
+class _Vectors:
+    """The vectors of points at the steps that find them, part by part."""
+
+    def __init__(self, solution: Solution, page: Sequence[Block]) -> None:
+        letters = frozenset(name for block in page for name in names_in(block))
+        self.waiting = {p.case.replace("_", " "): list(vector_figures(p, letters)) for p in solution.parts}
+
+    def figures(self, page: Sequence[Block], step: Sequence[Block], ended: bool) -> Iterator[Figure]:
+        """Those whose answers a step has on the left of an equation. `page`: what stands above; `ended`: it is the last
+        step, behind which stand those that no step has.
+        """
+        waiting = self.waiting.get(_headed(page)[0], [])
+        found = {name for b in step if isinstance(b, Equation) for name in names_in(b.sides[0])}
+        for told in list(waiting):
+            if ended or told[0] & found:
+                waiting.remove(told)
+                yield told[1]
 
 
 def _headed(page: Sequence[Block]) -> tuple[str, Sequence[Block], str]:

@@ -1,0 +1,69 @@
+"""The vectors of points at their places: to scale, in their real senses, in the axes in which they are asked for."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+from conftest import PROBLEMS
+from worked import worked
+
+from planar_cli.figures.illustrated import figures_of, illustrated
+from planar_cli.formats._paper import runs_of
+from planar_cli.report.blocks import Answer, Drawing, Line
+from planar_cli.report.marks import Arrow, Figure, Panel, Polyline, Span, Spot
+from planar_cli.report.narrate import narrate
+
+
+def figures(stem: str) -> dict[str, Figure]:
+    solution = worked(next(p for p in PROBLEMS if p.stem == stem))[0]
+    return dict(figures_of(illustrated(narrate(solution), solution)))
+
+
+def told(words: Line) -> str:
+    return "".join(("_" if run.index else "") + run.text for run in runs_of(words))
+
+
+def vectors(panel: Panel) -> dict[str, Spot]:
+    spans = (m for m in panel.marks if isinstance(m, Span))
+    return {told(s.words): (s.end[0] - s.start[0], s.end[1] - s.start[1]) for s in spans}
+
+
+def axes(panel: Panel) -> dict[str, float]:
+    return {told(m.words): m.angle for m in panel.marks if isinstance(m, Arrow) and m.style == "axis"}
+
+
+@pytest.mark.parametrize(
+    ("stem", "point", "answers"),
+    [
+        ("polar-motion", "P", ({"v_r": 0.5, "v_θ": 2.4, "v_P": 2.45153}, {"a_r": -1.92, "a_θ": 2.0, "a_P": 2.77244})),
+        ("car-on-a-circle", "car", ({"v_q": 16.1437}, {"a_t": 1.5, "a_n": 5.21239, "a_q": 5.42393})),
+        ("ex-1-10", "B", ({"a_t": 0.1, "a_n": 0.2666666667, "a_B": 0.2848001248},)),
+    ],
+)
+def test_components_are_to_scale_along_their_axes(stem: str, point: str, answers: tuple[dict[str, float], ...]) -> None:
+    """One that is negative has its size beside its arrow, against its axis."""
+    figure = figures(stem)[f"vectors of {point}"]
+    for panel, values in zip(figure.panels, answers, strict=True):
+        found, directions = vectors(panel), axes(panel)
+        assert found.keys() == {name if value > 0 else f"|{name}|" for name, value in values.items()}
+        scale = max(math.hypot(*v) for v in found.values()) / max(values.values())
+        for name, value in values.items():
+            x, y = found[name if value > 0 else f"|{name}|"]
+            along = directions.get(f"e_{name[-1]}")
+            size = math.hypot(x, y) if along is None else x * math.cos(along) + y * math.sin(along)
+            assert size == pytest.approx(value * scale, rel=1e-4)
+
+
+def test_the_whole_circle_is_drawn_on_which_a_point_runs() -> None:
+    (panel, _) = figures("car-on-a-circle")["vectors of car"].panels
+    (way,) = (m.places for m in panel.marks if isinstance(m, Polyline) and len(m.places) > 9)
+    assert way[0] == pytest.approx(way[-1], abs=1e-6)
+    assert all(math.hypot(*spot) == pytest.approx(50) for spot in way)
+
+
+def test_they_stand_behind_the_step_that_finds_them() -> None:
+    solution = worked(next(p for p in PROBLEMS if p.stem == "polar-motion"))[0]
+    blocks = illustrated(narrate(solution), solution).blocks
+    at = next(i for i, b in enumerate(blocks) if isinstance(b, Drawing) and b.figure.name == "vectors of P")
+    assert at < next(i for i, b in enumerate(blocks) if isinstance(b, Answer))
