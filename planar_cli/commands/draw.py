@@ -2,10 +2,10 @@
 
 FILES are problem files, or - for standard input. Each figure becomes a file of its own: NAME-scene.svg, NAME-BODY.svg
 for the diagrams of a body, NAME-velocities.svg for a polygon, NAME-centre_of_BODY.svg for an instantaneous centre,
-NAME-vectors_of_POINT.svg for components of its velocity and acceleration, NAME-motion.svg for the curves of a motion that
-was followed step by step, with a number where there are several. The same input gives the same bytes. Of a scene in
-which a long rope, floor or distance would make all else too small to be read, that line is broken, and the figure says
-so. With --format png they are pictures of dots (needs the extra `pdf`); with --format terminal (or text) they are
+NAME-vectors_of_POINT.svg for components of its velocity and acceleration, NAME-motion.svg for the curves of a motion
+that was followed step by step, with a number where there are several. The same input gives the same bytes. Of a scene
+in which a long rope, floor or distance would make all else too small to be read, that line is broken, and the figure
+says so. With --format png they are pictures of dots (needs the extra `pdf`); with --format terminal (or text) they are
 printed in letters, and no file is written. The exit status is that of `planar solve`, but answers that the file states
 are not compared.
 """
