@@ -54,6 +54,7 @@ def test_a_formula_from_the_only_state_on(end: str) -> None:
     assert found.expressions[0].has(next(s for s in found.expressions[0].free_symbols if s.name == "t"))
 
 
+@pytest.mark.slow
 def test_the_first_instant_fixes_a_mass() -> None:
     """Lighter blocks are at x = 0 after 1 s as well, but for the second, third, … time."""
     text = SPRING.format(more="unknowns: {m: kg}")

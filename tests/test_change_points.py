@@ -25,7 +25,7 @@ ANGLES = {2: 31.7505971869861018, 10: 31.6217298227818727, 40: 31.59743374398573
         (2, 1e-8, 1e-6, 1e-6),
         (2, 1e-10, 1e-8, 1e-8),
         (10, 1e-6, 1e-4, 1e-3),
-        (40, 1e-6, 1e-4, 1e-3),
+        pytest.param(40, 1e-6, 1e-4, 1e-3, marks=pytest.mark.slow),
     ],
 )
 def test_four_bars_pass_through_horizontal(count: int, tolerance: float, angle: float, energy: float) -> None:

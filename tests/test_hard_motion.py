@@ -76,7 +76,7 @@ joints:
 """
 
 
-@pytest.mark.parametrize("base", [1, 2], ids=["square", "oblong"])
+@pytest.mark.parametrize("base", [1, pytest.param(2, marks=pytest.mark.slow)], ids=["square", "oblong"])
 def test_cranks_stay_parallel_through_the_change_point(base: int) -> None:
     """Flat after π/3 seconds, where it might turn into a crossed linkage; the velocities go on as they were."""
     cranks = "B: {from: A, distance: 1 m, angle: 60 deg}, C: {from: D, distance: 1 m, angle: 60 deg}"

@@ -56,6 +56,7 @@ def test_block_only_just_stays(motion: str, highest: str) -> None:
     assert first(found["A_max"]) == pytest.approx(LIMIT)
 
 
+@pytest.mark.slow
 def test_smallest_is_not_told_by_what_is_largest() -> None:
     """Where the table is lowest it presses most."""
     with pytest.raises(NoSolution):

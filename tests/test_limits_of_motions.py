@@ -139,6 +139,7 @@ find: {k: k, t: t @ fast}
 """
 
 
+@pytest.mark.slow
 def test_a_constant_that_nothing_has_is_told() -> None:
     """Without resistance no coefficient can be found, and the ball has no final speed."""
     with pytest.raises(NoSolution) as told:

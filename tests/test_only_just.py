@@ -42,6 +42,7 @@ def test_the_least_speed_round_a_loop(sense: str, top: str, tmp_path: Path) -> N
     assert told == pytest.approx({"u": (5 * 9.81 * 0.5) ** 0.5, "N_1": 6 * 2 * 9.81})
 
 
+@pytest.mark.slow
 def test_a_block_that_lets_go_before_is_no_such_state(tmp_path: Path) -> None:
     path = tmp_path / "loop.yaml"
     path.write_text(LOOP.format(sense="", top="x(block) = 0, y(block) > 0, v(block).mag = 1 m/s"))

@@ -243,6 +243,7 @@ def test_what_is_largest_over_a_constant() -> None:
     assert d == pytest.approx(42.2017529501, rel=1e-10)
 
 
+@pytest.mark.slow
 def test_what_is_smallest_at_the_edge_of_reach_is_told() -> None:
     text = LOOP.replace("N(P) = 0", "u is smallest")
     with pytest.raises(
@@ -251,6 +252,7 @@ def test_what_is_smallest_at_the_edge_of_reach_is_told() -> None:
         _part(text)
 
 
+@pytest.mark.slow
 def test_a_force_that_just_vanishes_where_a_state_is_just_reached() -> None:
     """d(v²)/dφ = -2 g R sin φ - 2 R D/m, integrated separately, gives v² = g R at the top for this speed."""
     problem, wrong = load_text(LOOP)

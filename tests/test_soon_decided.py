@@ -126,6 +126,7 @@ def test_what_nothing_holds_is_open() -> None:
     assert (found.code, found.hint) == ("PL623", "say in state 1 how it moves: `at rest`, or velocities")
 
 
+@pytest.mark.slow
 def test_a_vibration_that_goes_on_has_no_end() -> None:
     with pytest.raises(Undecided, match=r":17: x_2: as the time grows without end, no value was found"):
         solve(DRIVEN)

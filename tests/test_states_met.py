@@ -449,6 +449,7 @@ def test_no_time_of_a_slight_touch() -> None:
         solve(TOP.format(more="", find="t: t @ leaves"))
 
 
+@pytest.mark.slow
 def test_a_slight_touch_and_a_spring_on_the_way() -> None:
     """Energy, with the spring pressed by 0.3 m at the end."""
     found = solve(UPRIGHT)

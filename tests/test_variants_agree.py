@@ -220,7 +220,7 @@ find: {c: s @ 2 - d in in, F: force(sp).mag @ 2}
 """
 
 
-@pytest.mark.parametrize(("text", "number"), [(LEDGE, 3), (SPRING, 6)])
+@pytest.mark.parametrize(("text", "number"), [(LEDGE, 3), pytest.param(SPRING, 6, marks=pytest.mark.slow)])
 def test_a_root_stays_on_its_branch(text: str, number: int, tmp_path: Path) -> None:
     """The stone on its way down, the spring compressed, however far from the values of the file."""
     worked, made = ready(tmp_path, text, number)
