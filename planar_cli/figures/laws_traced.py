@@ -115,7 +115,8 @@ def _stretch(motion: MotionTrace, law: Law, begun: Instant, until: str, before: 
             if same and sum(a.v * b.v < 0 for a, b in pairwise(again)) * SMOOTH <= steps:
                 return tuple(_shown(again))
             steps *= 4
-    except OUTSIDE:
+    except (*OUTSIDE, TypeError):
+        # A power of a negative number is complex.
         pass
     return None
 
@@ -171,9 +172,10 @@ def _rates(motion: MotionTrace, law: Law) -> Rates | None:
             return None
         numbers[letter] = sp.Float(number, 17)
     f = f.xreplace(numbers)
-    if f.has(sp.Integral) or any(part.func not in FUNCTIONS for part in f.atoms(sp.Function) - f.atoms(sp.Piecewise)):
+    both = sp.Tuple(law.v, f) if law.order == 2 else sp.Tuple(f, sp.diff(f, clock) + sp.diff(f, q) * f)
+    functions = both.atoms(sp.Function) - both.atoms(sp.Piecewise)
+    if both.has(sp.Integral, sp.Derivative, sp.Subs) or any(part.func not in FUNCTIONS for part in functions):
         return None
-    both = (law.v, f) if law.order == 2 else (f, sp.diff(f, clock) + sp.diff(f, q) * f)
     made: Rates = sp.lambdify((clock, q, law.v), both, "math", cse=True)
     return made
 
