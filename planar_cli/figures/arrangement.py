@@ -17,9 +17,9 @@ from planar_cli.figures.measures import measure_marks
 from planar_cli.figures.names import names_of_bodies
 from planar_cli.figures.outlines import edges, lying
 from planar_cli.figures.parallel import with_parallel_ropes
-from planar_cli.figures.partners import partners, sketch_of, sliders, touching
+from planar_cli.figures.partners import is_slot, partners, sketch_of, sliders, touching
 from planar_cli.figures.paths import course_of, curve_of
-from planar_cli.figures.positions import Later, brought_near, followed_positions, position_marks, positions
+from planar_cli.figures.positions import Later, brought_near, followed_positions, position_marks, positions, slid_to
 from planar_cli.figures.rings import extent_of, way_of
 from planar_cli.figures.shapes import body_marks
 from planar_cli.figures.side_by_side import BOX, POINT, side_by_side
@@ -132,7 +132,7 @@ def _marks(drawn: Drawn, moving: Moving | None, joints: Sequence[Joint], later: 
         seen += [p.marks(b) for p in later for b in beside if b in p.spots]
         for mark in surface_marks(drawn, surface, places, seen, near or centers, size):
             if surface.body is not None:
-                inner += within(mark, [*body_marks(drawn, scene.bodies[surface.body])])
+                inner += within(mark, [*body_marks(drawn, scene.bodies[surface.body])], is_slot(surface, joints))
                 continue
             yield from belt_marks(drawn, surface, mark)
             if isinstance(mark, Hatched):
@@ -145,7 +145,7 @@ def _marks(drawn: Drawn, moving: Moving | None, joints: Sequence[Joint], later: 
         shifted(m, aside.get(getattr(entry, "body", ""), (0.0, 0.0)))
         for entry, found in sketches
         for s in found
-        for m in sketch_marks(drawn, s, line(entry.name))
+        for m in sketch_marks(drawn, s, line(entry.name), slid_to(later, entry, s))
     ]
     sliding = {m.at for m in sketched if isinstance(m, Symbol) and m.kind in ("slider", "rail", "block")}
     for name, body in scene.bodies.items():

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from planar_cli.figures.shapes import moved
 from planar_cli.records import record
-from planar_cli.report.marks import Arc, Mark, Polyline, Spot, Symbol
+from planar_cli.report.marks import Arc, Mark, Polyline, Slot, Spot, Symbol
 
 
 @record
@@ -40,6 +40,8 @@ def carried(marks: Iterable[Mark], before: Pose, after: Pose) -> list[Mark]:
                 found.append(replace(mark, places=tuple(map(to, places))))
             case Arc(center=center, start=start):
                 found.append(replace(mark, center=to(center), start=start + turn))
+            case Slot(start=start, end=end, angle=angle):
+                found.append(replace(mark, start=to(start), end=to(end), angle=angle + turn))
             case Symbol(at=at, angle=angle):
                 found.append(replace(mark, at=to(at), angle=angle + turn))
             case _:

@@ -10,10 +10,11 @@ from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.outlines import level, lying
 from planar_cli.figures.partners import sketch_of
 from planar_cli.figures.rings import extent_of, turned_by
-from planar_cli.figures.shapes import body_marks
+from planar_cli.figures.shapes import body_marks, moved
+from planar_cli.figures.within import slot_within
 from planar_cli.problem.scene import Particle, Rod
 from planar_cli.problem.sketches import Absorber, Bar, Cord, Hinge, Slide, Spiral
-from planar_cli.report.marks import Hatched, Mark, Spot, Symbol, spots_of
+from planar_cli.report.marks import Hatched, Mark, Slot, Spot, Symbol, spots_of
 
 BEYOND, SHORT = 0.15, 0.08
 """A floor goes on behind a body by this part of the scene, and is at least so long on either side of it."""
@@ -21,8 +22,10 @@ STEEP = 0.7
 """The sine of the angle from which on a track is no floor."""
 
 
-def slide_marks(drawn: Drawn, slide: Slide) -> Iterator[Mark]:
-    """The floor or the rails of a guide, and a block for a particle that stands on them."""
+def slide_marks(drawn: Drawn, slide: Slide, later: Sequence[Spot] = ()) -> Iterator[Mark]:
+    """The floor or the slot of a guide, and a block for a particle that stands on it. `later`: where what slides, or
+    its outline, is in further positions.
+    """
     at, along = drawn.spot(slide.at), drawn.angle(slide.along)
     if at is None or along is None:
         return
@@ -30,7 +33,8 @@ def slide_marks(drawn: Drawn, slide: Slide) -> Iterator[Mark]:
     if body is not None and body.name in lying(drawn):
         return
     if body is None or (isinstance(body.shape, Particle) and not (slide.grounded and _stands(drawn, body, at, along))):
-        yield Symbol("rail" if slide.grounded and not slide.drawn else "slider", at, along)
+        yield from _slot(drawn, slide, at, along, later)
+        yield Symbol("slider", at, along)
         return
     shape = [s for m in body_marks(drawn, body) if not isinstance(m, Symbol) for s in spots_of(m)]
     lies = [turned_by((x - at[0], y - at[1]), -along)[1] for x, y in shape]
@@ -41,7 +45,19 @@ def slide_marks(drawn: Drawn, slide: Slide) -> Iterator[Mark]:
     if not shape:
         yield Symbol("block", at, level(along))
     if slide.grounded and not slide.drawn:
-        yield from _floor(drawn, shape or [at], along)
+        yield from _floor(drawn, shape or [at], along, later)
+
+
+def _slot(drawn: Drawn, slide: Slide, at: Spot, along: float, later: Sequence[Spot]) -> Iterator[Mark]:
+    """The slot in which something slides, as far as it comes, or as the body goes in which it is."""
+    if slide.grounded and not slide.drawn:
+        ahead = [0.0, *(turned_by((x - at[0], y - at[1]), -along)[0] for x, y in later)]
+        yield Slot(moved(at, along, min(ahead)), moved(at, along, max(ahead)), along, True)
+    carrier = drawn.body(slide.carrier) if slide.carrier is not None else None
+    if carrier is not None:
+        holds = [s for h in _sketches(drawn) if isinstance(h, Hinge) and (s := drawn.spot(h.at)) is not None]
+        slot = slot_within(at, along, [*body_marks(drawn, carrier)], holds)
+        yield from () if slot is None else (slot,)
 
 
 def _stands(drawn: Drawn, body: BodyModel, at: Spot, along: float) -> bool:
@@ -84,12 +100,13 @@ def _is_at(place: Spot | None, at: Spot) -> bool:
     return place is not None and math.dist(place, at) < 1e-9
 
 
-def _floor(drawn: Drawn, shape: Sequence[Spot], along: float) -> Iterator[Mark]:
-    """A floor under an outline; beside one that goes up and down, a wall on either side."""
+def _floor(drawn: Drawn, shape: Sequence[Spot], along: float, later: Sequence[Spot]) -> Iterator[Mark]:
+    """A floor under an outline, as far as it comes; beside one that goes up and down, a wall on either side."""
     size = extent_of(drawn.at_rest().everything()) or 1.0
     up = level(along) if abs(math.sin(along)) <= STEEP else along
     seen = [turned_by(s, -up) for s in shape]
-    low, high = min(x for x, _ in seen), max(x for x, _ in seen)
+    ways = [*(x for x, _ in seen), *(turned_by(s, -up)[0] for s in later)]
+    low, high = min(ways), max(ways)
     more = BEYOND * size if abs(math.sin(along)) <= STEEP else 0.0
     for below in (True, False) if abs(math.sin(along)) > STEEP else (True,):
         y = min(y for _, y in seen) if below else max(y for _, y in seen)

@@ -14,7 +14,7 @@ from planar_cli.figures.drawn import named_body
 from planar_cli.figures.joints_drawn import sketch_marks
 from planar_cli.figures.outlines import edges, lying
 from planar_cli.figures.over_time import reached
-from planar_cli.figures.partners import partners, sketch_of, sliders, touching
+from planar_cli.figures.partners import is_slot, partners, sketch_of, sliders, touching
 from planar_cli.figures.posed import Posed, variables_of
 from planar_cli.figures.rings import extent_of, side_of, way_of
 from planar_cli.figures.shapes import body_marks, moved
@@ -27,7 +27,7 @@ from planar_cli.problem.scene import Body, Curve, Round, Surface
 from planar_cli.problem.shapes import rim_of
 from planar_cli.report.blocks import Name, line
 from planar_cli.report.film import Film, Thing
-from planar_cli.report.marks import Coil, Hatched, Mark, Polyline, Spot, Symbol, Tag, spots_of
+from planar_cli.report.marks import Coil, Hatched, Mark, Polyline, Slot, Spot, Symbol, Tag, spots_of
 from planar_cli.simulate.run import Run
 
 FEWEST, MOST, EACH_SECOND = 60, 240, 25
@@ -105,7 +105,8 @@ class _Stage:
             marks = self._surface(surface)
             if surface.body is not None:
                 carrier = next(m for m in models if m.name == surface.body)
-                marks = [w for m in marks for w in within(m, [*body_marks(first_pose, carrier)])]
+                slotted = is_slot(surface, self.problem.joints)
+                marks = [w for m in marks for w in within(m, [*body_marks(first_pose, carrier)], slotted)]
             yield self._with_carrier(surface.body, marks)
             for mark in marks:
                 if isinstance(mark, Hatched):
@@ -241,20 +242,25 @@ def _spoke(pose: Posed, body: Body, rim: Round | None) -> Iterator[Mark]:
 
 
 def _with_still_floors(shots: Sequence[tuple[Mark, ...]]) -> Iterator[tuple[Mark, ...]]:
-    """The floor of what slides stays where it is, as far as that comes."""
-    floors = [[m for m in marks if isinstance(m, Hatched)] for marks in shots]
+    """The floor or slot of what slides stays where it is, as far as that comes."""
+    floors = [[m for m in marks if _is_still(m)] for marks in shots]
     first = next((f for f in floors if f), [])
     if any(f and len(f) != len(first) for f in floors):
         yield from shots
         return
-    whole = []
+    whole: list[Mark] = []
     for i, floor in enumerate(first):
-        (x0, y0), (x1, y1) = floor.places[0], floor.places[-1]
-        along = math.atan2(y1 - y0, x1 - x0)
-        ends = [moved((0.0, 0.0), -along, x - x0, y - y0)[0] for f in floors if f for x, y in f[i].places]
-        whole.append(Hatched((moved((x0, y0), along, min(ends)), moved((x0, y0), along, max(ends)))))
+        (x0, y0), (x1, y1) = (s := list(spots_of(floor)))[0], s[-1]
+        along = floor.angle if isinstance(floor, Slot) else math.atan2(y1 - y0, x1 - x0)
+        ends = [moved((0.0, 0.0), -along, x - x0, y - y0)[0] for f in floors if f for x, y in spots_of(f[i])]
+        low, high = moved((x0, y0), along, min(ends)), moved((x0, y0), along, max(ends))
+        whole.append(Slot(low, high, along, True) if isinstance(floor, Slot) else Hatched((low, high)))
     for marks in shots:
-        yield (*(whole if marks else ()), *(m for m in marks if not isinstance(m, Hatched)))
+        yield (*(whole if marks else ()), *(m for m in marks if not _is_still(m)))
+
+
+def _is_still(mark: Mark) -> bool:
+    return isinstance(mark, Hatched) or (isinstance(mark, Slot) and mark.fixed)
 
 
 def _with_even_turns(shots: Sequence[tuple[Mark, ...]]) -> Iterator[tuple[Mark, ...]]:

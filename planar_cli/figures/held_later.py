@@ -1,40 +1,89 @@
-"""Ropes and bars of later states, and ropes that are slack at first."""
+"""Ropes, bars, springs and dampers of later states, and ropes that are slack at first."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from itertools import pairwise
 
 from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.joints_drawn import sketch_marks
 from planar_cli.figures.partners import sketch_of
+from planar_cli.figures.rings import off, way_of
 from planar_cli.figures.shapes import moved
+from planar_cli.figures.springs import LANE, Strut
 from planar_cli.joints.base import Joint
-from planar_cli.problem.sketches import Bar, Cord
+from planar_cli.problem.sketches import Absorber, Bar, Cord, Spiral
 from planar_cli.report.marks import Arc, Mark, Polyline, Spot
 
 WAVES, SWING = 3, 0.05
 """A slack rope hangs in so many waves, and so far to the side in parts of its length."""
 FINE = 12
+MOST, BESIDE = 2, 0.15
+"""A spring is drawn beside the line of its first position in so many further ones, where its ends come as near to that
+line in parts of its length.
+"""
 
 
-def held_marks(there: Drawn, before: Drawn) -> list[Mark]:
-    """The ropes and bars of a later position, dashed, but for those that are as they were `before`."""
-    old = _held(before)
-    return [mark for mark in _held(there) if mark not in old]
-
-
-def _held(drawn: Drawn) -> list[Mark]:
+def held_marks(there: Drawn, first: Drawn, between: Sequence[Drawn] = ()) -> list[Mark]:
+    """What holds bodies in a later position, dashed, but for what is as it was in the `first` one, or in one of those
+    `between`. Springs and dampers are beside those on which they would lie; of more than `MOST` none.
+    """
+    before = [(name, mark) for drawn in (first, *between) for name, mark in _held(drawn)]
+    new = [pair for pair in _held(there, touched=True) if pair not in before]
+    struts = [m for _, m in new if isinstance(m, Strut)]
     found: list[Mark] = []
+    for name, mark in new:
+        if not isinstance(mark, Strut):
+            found.append(mark)
+            continue
+        own = [m for n, m in before if n == name and isinstance(m, Strut) and _in_line(mark, m)]
+        if not own:
+            found.append(mark)
+        elif len(own) <= MOST:
+            pair = [m for m in struts if {m.start, m.end} == {mark.start, mark.end}]
+            lane = len(pair) * (len(own) - 0.5) + pair.index(mark) + 0.5
+            found.append(replace(mark, lane=LANE * lane))
+    return found
+
+
+def _in_line(one: Strut, other: Strut) -> bool:
+    """Would one lie on the other, or nearly?"""
+    way, length = way_of(one.start, one.end), math.dist(one.start, one.end)
+    return all(off(one.start, way, place) < BESIDE * length for place in (other.start, other.end))
+
+
+def _held(drawn: Drawn, touched: bool = False) -> list[tuple[str, Mark]]:
+    """With what they are of. `touched`: without buffers that nothing touches."""
+    found: list[tuple[str, Mark]] = []
+    for load in drawn.scene.problem.loads:
+        for sketch in sketch_of(drawn, load):
+            free = touched and isinstance(sketch, Spiral) and _is_free(drawn, sketch)
+            for mark in sketch_marks(drawn, sketch, ()) if isinstance(sketch, Spiral | Absorber) else ():
+                if isinstance(mark, Strut) and not free:
+                    ends = _rounded(mark.start), _rounded(mark.end)
+                    found.append((load.name, replace(mark, start=ends[0], end=ends[1], words=(), later=True)))
     for joint in drawn.scene.problem.joints:
         for sketch in sketch_of(drawn, joint):
             for mark in sketch_marks(drawn, sketch, ()) if isinstance(sketch, Bar | Cord) else ():
                 if isinstance(mark, Polyline) and not mark.closed:
-                    found.append(Polyline(tuple((round(x, 9), round(y, 9)) for x, y in mark.places), "hidden"))
+                    found.append((joint.name, Polyline(tuple(map(_rounded, mark.places)), "hidden")))
                 elif isinstance(mark, Arc) and mark.style == "rope":
-                    found.append(Arc(mark.center, mark.radius, "hidden", round(mark.start, 9), round(mark.sweep, 9)))
+                    turned = Arc(mark.center, mark.radius, "hidden", round(mark.start, 9), round(mark.sweep, 9))
+                    found.append((joint.name, turned))
     return found
+
+
+def _is_free(drawn: Drawn, spring: Spiral) -> bool:
+    """Is it one that only pushes, and does nothing touch it?"""
+    free = None if spring.free is None else drawn.number(spring.free)
+    start, end = drawn.spot(spring.start), drawn.spot(spring.end)
+    return free is not None and start is not None and end is not None and math.dist(start, end) > free * (1 - 1e-9)
+
+
+def _rounded(spot: Spot) -> Spot:
+    return round(spot[0], 9), round(spot[1], 9)
 
 
 def slack_marks(drawn: Drawn, joints: Sequence[Joint]) -> Iterator[Mark]:

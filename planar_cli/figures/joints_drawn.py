@@ -34,9 +34,11 @@ HANGING = 0.6
 """The sine of the angle below the level from which on what a support holds hangs."""
 
 
-def sketch_marks(drawn: Drawn, sketch: Sketch, name: Line) -> Iterator[Mark]:
-    """What a joint or load looks like. `name`: what a force is called whose size the file does not give in short."""
-    return _drawn(sketch, drawn, name)
+def sketch_marks(drawn: Drawn, sketch: Sketch, name: Line, later: Sequence[Spot] = ()) -> Iterator[Mark]:
+    """What a joint or load looks like. `name`: what a force is called whose size the file does not give in short;
+    `later`: where what slides along a track comes to.
+    """
+    return slide_marks(drawn, sketch, later) if isinstance(sketch, Slide) else _drawn(sketch, drawn, name)
 
 
 @singledispatch
@@ -61,11 +63,6 @@ def _support(at: Spot, others: Sequence[Spot]) -> Symbol:
     hangs = any(down < -HANGING * reach for down, reach in reaches)
     stands = any(down > HANGING * reach for down, reach in reaches)
     return Symbol("support", at, math.pi if hangs and not stands else 0.0)
-
-
-@_drawn.register
-def _slide(sketch: Slide, drawn: Drawn, name: Line) -> Iterator[Mark]:
-    yield from slide_marks(drawn, sketch)
 
 
 @_drawn.register

@@ -48,6 +48,11 @@ def sliders(problem: Problem, surface: Surface) -> list[str]:
     return [name for j in joints for name in getattr(j, "between", ()) if name in particles]
 
 
+def is_slot(surface: Surface, joints: Sequence[Joint]) -> bool:
+    """Does a point run along a surface, as a pin in a slot?"""
+    return any(surface.name in between(j) and getattr(j, "point", "") and not getattr(j, "body", None) for j in joints)
+
+
 def between(joint: Joint) -> tuple[str, ...]:
     """What a joint is between, by name."""
     along = getattr(joint, "along", None)

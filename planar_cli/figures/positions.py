@@ -16,12 +16,15 @@ from planar_cli.figures.carried import Pose, carried, shifted
 from planar_cli.figures.drawn import TINY, Drawn
 from planar_cli.figures.held_later import held_marks
 from planar_cli.figures.parallel import drawn_beside
-from planar_cli.figures.partners import between
+from planar_cli.figures.partners import between, sketch_of
 from planar_cli.figures.paths import followed_path, path_of
+from planar_cli.figures.posed import Posed, variables_of
 from planar_cli.figures.rings import extent_of, moved_by
 from planar_cli.figures.shapes import body_marks
+from planar_cli.problem.entry import Entry
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.scene import GROUND, Line, Round
+from planar_cli.problem.sketches import Sketch, Slide
 from planar_cli.records import record
 from planar_cli.report.blocks import line
 from planar_cli.report.marks import Arc, Mark, Polyline, Spot, Symbol, Tag, spots_of
@@ -53,6 +56,13 @@ class Later:
     shift: Spot = (0.0, 0.0)
     first: Later | None = None
     """The position that is moved and turned into this one, where `there` is not this one."""
+    pose: Drawn | None = None
+    """Then how things are joined there."""
+
+    @property
+    def held(self) -> Drawn | None:
+        """How things are joined in it; None: nothing tells."""
+        return self.there if self.first is None else self.pose
 
     @property
     def words(self) -> str:
@@ -106,7 +116,9 @@ def followed_positions(drawn: Drawn, run: Run) -> list[Later]:
         turns = {n: t[0] for n in drawn.scene.bodies if (t := _asked(run, "theta", n, moment))}
         if not state or spots.keys() != first.spots.keys():
             continue
-        new = Later((state,), drawn, spots, {**first.angles, **turns}, first=first)
+        posed = Posed(run.model.scene, variables_of(run.model.layout, moment.t, moment.y))
+        pose = None if drawn.beside.moves else posed
+        new = Later((state,), drawn, spots, {**first.angles, **turns}, first=first, pose=pose)
         _put(found, new, NEAR * max(size, _reach(new, first)))
     return found
 
@@ -169,6 +181,17 @@ def _nearer(p: Later, before: Later, shift: Spot, most: float) -> Later:
     return replace(p, shift=(shift[0] - (x - x0) * back, shift[1] - (y - y0) * back))
 
 
+def slid_to(places: Sequence[Later], entry: Entry, sketch: Sketch) -> list[Spot]:
+    """Where what slides along a track, or its outline, is in some positions."""
+    if not isinstance(sketch, Slide):
+        return []
+    if sketch.body is not None:
+        return [s for p in places if sketch.body in p.spots for m in p.marks(sketch.body) for s in spots_of(m)]
+    held = [(p, p.held) for p in places if p.held is not None]
+    found = [(p, there.spot(s.at)) for p, there in held for s in sketch_of(there, entry) if isinstance(s, Slide)]
+    return [moved_by(s, p.shift) for p, s in found if s is not None]
+
+
 def position_marks(
     places: Sequence[Later], motion: MotionTrace | None, run: Run | None, shown: Sequence[Mark]
 ) -> Iterator[Mark]:
@@ -181,8 +204,9 @@ def position_marks(
         for name in seen if not first else ():
             angle = blocks.get(places[0].spots[name])
             yield from p.marks(name) if angle is None else [Symbol("later", p.at(name), _lies(p, name, angle))]
-        if not first and p.first is None and not any(p.shift):
-            yield from held_marks(p.there, places[0].there)
+        if p.held is not None and places[0].held is not None and not first and not any(p.shift):
+            between = [q.held for q in places[1 : places.index(p)] if q.held is not None]
+            yield from held_marks(p.held, places[0].held, between)
         for name in _apart(p, seen, places) if p.words else ():
             yield Tag(p.at(name), line(p.words))
 

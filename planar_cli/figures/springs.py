@@ -21,16 +21,18 @@ Strut = Coil | Dashpot
 
 def settled(marks: Sequence[Mark]) -> Iterator[Mark]:
     """The marks of a scene, with its springs and dampers at their places."""
-    struts = [m for m in marks if isinstance(m, Strut)]
-    blocks = [m for m in marks if isinstance(m, Symbol) and m.kind in ("block", "slider", "rail")]
+    every = [m for m in marks if isinstance(m, Strut)]
+    struts = [m for m in every if not m.later]
+    blocks = [m for m in marks if isinstance(m, Symbol) and m.kind in ("block", "slider", "rail", "later")]
     areas = [m.places for m in marks if isinstance(m, Polyline) and m.closed and m.style == "body"]
     bars = [m.places for m in marks if isinstance(m, Polyline) and not m.closed and m.style == "body"]
-    raised = {(s.start, s.end): _raised(s, blocks) for s in struts}
+    raised = {(s.start, s.end): _raised(s, blocks) for s in every}
     for mark in marks:
         if isinstance(mark, Strut):
-            yield _up_to(
-                replace(mark, aside=raised[mark.start, mark.end], lane=_lane(mark, struts, bars)), blocks, areas
-            )
+            aside = raised[mark.start, mark.end]
+            # A later one is beside it on the side where the block is.
+            lane = math.copysign(mark.lane, aside) if mark.later else _lane(mark, struts, bars)
+            yield _up_to(replace(mark, aside=aside, lane=lane), blocks, areas)
         elif isinstance(mark, Symbol) and mark.kind in ("wall", "plate"):
             yield replace(mark, aside=_wall(mark, raised))
         else:

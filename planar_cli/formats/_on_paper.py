@@ -10,7 +10,7 @@ from typing import Any
 
 from planar_cli.formats._graph import graph_pieces
 from planar_cli.formats._paper import Box, Disc, Paper, Run, Spot, Stroke, Words, along, box_of, runs_of
-from planar_cli.formats._signs import sign
+from planar_cli.formats._signs import sign, slot
 from planar_cli.formats._strokes import LATER, WAY, Piece, arc, hatching, moved, pointed
 from planar_cli.records import record
 from planar_cli.report.graphs import Graph
@@ -26,6 +26,7 @@ from planar_cli.report.marks import (
     Mark,
     Panel,
     Polyline,
+    Slot,
     Span,
     Symbol,
     Tag,
@@ -137,7 +138,8 @@ def _coil(mark: Coil, scale: Scale) -> Iterator[Piece]:
     lead, turns = length * 0.14, max(min(int((mark.like * scale.pixels or length) / 9), 12), 4)
     inner = length - 2 * lead
     zigzag = [moved(start, angle, lead + inner * (i + 0.5) / (2 * turns), 6.0 * (-1) ** i) for i in range(2 * turns)]
-    yield Stroke((start, moved(start, angle, lead), *zigzag, moved(start, angle, length - lead), end), "spring")
+    kind = LATER if mark.later else "spring"
+    yield Stroke((start, moved(start, angle, lead), *zigzag, moved(start, angle, length - lead), end), kind)
     yield from _yokes(mark, (start, end), angle)
     yield from _strength(mark, (start, end), angle)
 
@@ -148,11 +150,11 @@ def _dashpot(mark: Dashpot, scale: Scale) -> Iterator[Piece]:
     length = math.dist(start, end)
     low, high, wide = length * 0.35, length * 0.65, 7.0
     cup = [(high, wide), (low, wide), (low, -wide), (high, -wide)]
-    yield Stroke((start, moved(start, angle, low)), "spring")
-    yield Stroke(tuple(moved(start, angle, a, b) for a, b in cup), "spring")
-    piston = length * 0.5
-    yield Stroke((moved(start, angle, piston, wide - 2), moved(start, angle, piston, 2 - wide)), "spring")
-    yield Stroke((moved(start, angle, piston), end), "spring")
+    kind, piston = LATER if mark.later else "spring", length * 0.5
+    yield Stroke((start, moved(start, angle, low)), kind)
+    yield Stroke(tuple(moved(start, angle, a, b) for a, b in cup), kind)
+    yield Stroke((moved(start, angle, piston, wide - 2), moved(start, angle, piston, 2 - wide)), kind)
+    yield Stroke((moved(start, angle, piston), end), kind)
     yield from _yokes(mark, (start, end), angle)
     yield from _strength(mark, (start, end), angle)
 
@@ -177,7 +179,13 @@ def _held(mark: Coil | Dashpot, scale: Scale) -> tuple[Spot, Spot, float]:
 def _yokes(mark: Coil | Dashpot, ends: tuple[Spot, Spot], angle: float) -> Iterator[Piece]:
     """What joins one to another one beside it, at either end."""
     if mark.lane:
-        yield from (Stroke((end, moved(end, angle, 0, -mark.lane)), "spring") for end in ends)
+        kind = LATER if mark.later else "spring"
+        yield from (Stroke((end, moved(end, angle, 0, -mark.lane)), kind) for end in ends)
+
+
+@_drawn.register
+def _slot(mark: Slot, scale: Scale) -> Iterator[Piece]:
+    yield from slot(scale.spot(mark.start), scale.spot(mark.end), mark.angle, mark.fixed)
 
 
 @_drawn.register

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 
 from planar_cli.formats._paper import Disc, Spot, Stroke
-from planar_cli.formats._strokes import LATER, Piece, hatching, moved
+from planar_cli.formats._strokes import LATER, Piece, arc, hatching, moved
 from planar_cli.report.marks import Symbol
 
 BLOCK = 26.0
@@ -78,6 +78,18 @@ def _hanger(at: Spot, angle: float) -> Iterator[Piece]:
     yield Stroke(edge, "ground")
     yield from hatching(edge, -1)
     yield Disc(at, 2.6, "pin")
+
+
+def slot(start: Spot, end: Spot, angle: float, fixed: bool) -> Iterator[Piece]:
+    """A slot from one place on paper to another along a direction; in the ground longer by the room for a slider."""
+    wide = SLIDER[1] / 2 + 2
+    length = math.cos(angle) * (end[0] - start[0]) - math.sin(angle) * (end[1] - start[1])
+    room = SLIDER[0] / 2 + 4 if fixed else -min(wide, length / 2)
+    start, end = moved(start, angle, -room), moved(end, angle, room)
+    ring = (*arc(end, wide, angle - math.pi / 2, math.pi), *arc(start, wide, angle + math.pi / 2, math.pi))
+    yield Stroke(ring, "ground" if fixed else "thin", True)
+    for side in (1, -1) if fixed else ():
+        yield from hatching((moved(start, angle, 0, side * wide), moved(end, angle, 0, side * wide)), -side)
 
 
 def _slider(at: Spot, angle: float, fixed: bool) -> Iterator[Piece]:

@@ -98,7 +98,8 @@ class Guide(Joint):
         along = joining.path.tangent if joining.path is not None else Vec(1, 0)
         whole = self.body or (None if joining.mover == GROUND or scene.rigid(joining.mover) else joining.mover)
         drawn = joining.base == GROUND and scene.names_carrier(self._track())
-        return (Slide(joining.point, along, GROUND in (joining.base, joining.mover), whole, drawn),)
+        carrier = None if joining.base == GROUND else joining.base
+        return (Slide(joining.point, along, GROUND in (joining.base, joining.mover), whole, drawn, carrier),)
 
     def modes(self, scene: Setting) -> tuple[Mode, ...]:
         joining, normal = self._joining(scene)

@@ -26,7 +26,8 @@ class Hinge:
 @record
 class Slide:
     """A slider at a place on a straight track along a direction. `grounded`: the track is fixed. `body`: the whole body
-    that slides, unable to turn, or the particle. `drawn`: its track is a surface of the file.
+    that slides, unable to turn, or the particle. `drawn`: its track is a surface of the file. `carrier`: the body in
+    which the track is.
     """
 
     at: Vec
@@ -34,6 +35,7 @@ class Slide:
     grounded: bool
     body: str | None = None
     drawn: bool = False
+    carrier: str | None = None
 
 
 @record

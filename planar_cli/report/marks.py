@@ -86,7 +86,7 @@ class Hatched:
 @record
 class Coil:
     """A helical spring between two places; `like`: with as many turns as one of this length has, m (0: its own).
-    `words`: its stiffness. `aside`, `lane`, `cuts`: as of a damper.
+    `words`: its stiffness. `aside`, `lane`, `cuts`, `later`: as of a damper.
     """
 
     start: Spot
@@ -96,13 +96,14 @@ class Coil:
     lane: float = 0.0
     cuts: tuple[float, float] = (0.0, 0.0)
     words: Line = ()
+    later: bool = False
 
 
 @record
 class Dashpot:
     """A viscous damper between two places; `words`: its force per speed. On paper, px: `aside`: it lies so far to the
     left of the way from one to the other; `lane`: so far beside another one, held with it at both ends; `cuts`: so much
-    shorter it is at each end.
+    shorter it is at each end. `later`: it is so in a later state, dashed.
     """
 
     start: Spot
@@ -111,6 +112,19 @@ class Dashpot:
     lane: float = 0.0
     cuts: tuple[float, float] = (0.0, 0.0)
     words: Line = ()
+    later: bool = False
+
+
+@record
+class Slot:
+    """A slot from `start` along the direction `angle` to `end`, as wide as a sign, closed by half circles. `fixed`: in
+    the ground, with hatching beside it, and longer by that much that a slider at its end has room.
+    """
+
+    start: Spot
+    end: Spot
+    angle: float
+    fixed: bool
 
 
 @record
@@ -213,7 +227,23 @@ class Axes:
     heavy: bool
 
 
-Mark = Graph | Axes | Polyline | Arc | Hatched | Coil | Dashpot | Symbol | Arrow | Span | Turn | Dimension | Angle | Tag
+Mark = (
+    Graph
+    | Axes
+    | Polyline
+    | Arc
+    | Hatched
+    | Coil
+    | Dashpot
+    | Slot
+    | Symbol
+    | Arrow
+    | Span
+    | Turn
+    | Dimension
+    | Angle
+    | Tag
+)
 
 
 @record
@@ -247,7 +277,13 @@ def spots_of(mark: Mark) -> Iterator[Spot]:
             yield from places
         case Arc(center=(x, y), radius=r):
             yield from ((x - r, y - r), (x + r, y + r))
-        case Coil(start=a, end=b) | Dashpot(start=a, end=b) | Span(start=a, end=b) | Dimension(start=a, end=b):
+        case (
+            Coil(start=a, end=b)
+            | Dashpot(start=a, end=b)
+            | Slot(start=a, end=b)
+            | Span(start=a, end=b)
+            | Dimension(start=a, end=b)
+        ):
             yield from (a, b)
         case Symbol(at=at) | Arrow(at=at) | Turn(at=at) | Tag(at=at) | Angle(vertex=at):
             yield at
