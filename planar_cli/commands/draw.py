@@ -80,6 +80,8 @@ def _nothing(path: str) -> int:
 
 def _in_letters(path: str) -> str:
     """The figures of a file in letters, one below the other."""
+    from textwrap import wrap
+
     from planar_cli.figures.illustrated import figures_of
     from planar_cli.formats._drawn_small import small_drawing
     from planar_cli.formats._terminals import PIPE_WIDTH, shown_on
@@ -87,7 +89,8 @@ def _in_letters(path: str) -> str:
 
     found = dict(figures_of(_page(path)))
     with shown_on(sys.stdout, None) as width:
-        drawn = [[letters(f.words), "", *small_drawing(f, min(width, PIPE_WIDTH)), ""] for f in found.values()]
+        room = min(width, PIPE_WIDTH)
+        drawn = [[*wrap(letters(f.words), room), "", *small_drawing(f, room), ""] for f in found.values()]
     return "\n".join(line for lines in drawn for line in lines)
 
 

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from itertools import pairwise, zip_longest
 from textwrap import wrap
 
-from planar_cli.formats._canvas import ACROSS, DOWN, Canvas
-from planar_cli.formats._labels import with_labels
+from planar_cli.formats._canvas import ACROSS, DOWN, Canvas, Place
+from planar_cli.formats._labels import in_cells
 from planar_cli.formats._paper import Box, Disc, Paper, Run, Stroke, Words, along, box_of, runs_of
 from planar_cli.formats._signs import BREAK, HIDDEN
 from planar_cli.formats._small_plot import small_plot
@@ -26,6 +26,10 @@ WIDE, HIGH, LEAST = 360.0, 240.0, 90.0
 """A panel to scale is so large at most; in a narrow terminal it is so wide at least."""
 BESIDE = 150.0
 """What words and arrows beside it take, about."""
+AROUND = 200.0
+"""Farther than this from all strokes no words begin, px."""
+WEIGHT = (0.2, 0.35, 0.5, 0.65, 0.8)
+"""Where in its cell a sign counts, which words are to cover less than dots: so many times as much."""
 SMALL = 7.0
 """A circle that is not larger is a letter."""
 SIGNS = {"mass": "●", "pin": "○", "centre": "⊕", "dot": "·", "hidden": "○"}
@@ -44,10 +48,10 @@ def small_drawing(figure: Figure, width: int) -> list[str]:
     room = (width - INDENT) * CELL[0]
     for size in (1.0, 0.75, 0.5, 0.35):
         wide = max(min(WIDE, room / len(figure.panels) - BESIDE), LEAST) * size
-        panels = [_panel(paper) for paper in unlabelled(figure, wide, HIGH * size)]
+        panels = [_panel(paper, width - INDENT) for paper in unlabelled(figure, wide, HIGH * size)]
         if max(p.columns for p in panels) <= width - INDENT:
             break
-    heads = [_text(runs_of(p.head)) for p in figure.panels]
+    heads = [wrap(_text(runs_of(p.head)), width - INDENT) for p in figure.panels]
     blocks = [_headed(p, h) for p, h in zip(panels, heads, strict=True)]
     between = [f"   {sign}   " for sign in figure.between] or [" " * GAP] * (len(blocks) - 1)
     total = sum(b.columns for b in blocks) + sum(map(len, between))
@@ -66,20 +70,36 @@ class _Block:
     """The line at which what stands between two blocks is written."""
 
 
-def _panel(paper: Paper) -> _Block:
-    """One panel."""
+def _panel(paper: Paper, width: int) -> _Block:
+    """One panel, no wider than so many columns if that is possible."""
     told = [_in_cells(w) for w in paper.words]
-    placed = with_labels(Paper(paper.strokes, tuple(told))).placed
-    whole = box_of(spot for s in paper.strokes for spot in along(s, 4.0)) or Box(0.0, 0.0, 1.0, 1.0)
-    for one in placed:
-        whole = whole.around(one.box)
-    columns = math.ceil((whole.right - whole.left) / CELL[0]) + 1
-    rows = math.ceil((whole.bottom - whole.top) / CELL[1]) + 1
-    canvas = Canvas(columns, rows)
+    ink = box_of(spot for s in paper.strokes for spot in along(s, 4.0)) or Box(0.0, 0.0, 1.0, 1.0)
+    # All words are on the canvas, wherever they come to stand; it is cut down at last.
+    whole = ink.grown(max((w.width for w in told), default=0.0) + AROUND)
+    left, top = math.floor(whole.left / CELL[0]), math.floor(whole.top / CELL[1])
+    canvas = Canvas(math.ceil(whole.right / CELL[0]) - left, math.ceil(whole.bottom / CELL[1]) - top)
 
     def dots(spot: tuple[float, float]) -> tuple[float, float]:
-        return (spot[0] - whole.left) / CELL[0] * ACROSS, (spot[1] - whole.top) / CELL[1] * DOWN
+        # A dot is in the middle of its part of a cell.
+        return (spot[0] / CELL[0] - left) * ACROSS - 0.5, (spot[1] / CELL[1] - top) * DOWN - 0.5
 
+    _draw(canvas, paper, dots)
+    taken = [((left + i + 0.5) * CELL[0], (top + j + 0.5) * CELL[1]) for i, j in canvas.dots]
+    signs = [((left + i + x) * CELL[0], (top + j + 0.5) * CELL[1]) for i, j in canvas.words for x in WEIGHT]
+    spare = (width * CELL[0] - (ink.right - ink.left)) / 2
+    boxes = in_cells(told, [*taken, *signs], CELL, (ink.left - spare, ink.right + spare))
+    for words, box in zip(told, boxes, strict=True):
+        column, row = (
+            math.floor((box.left + box.right - words.width) / 2 / CELL[0] + 0.5),
+            math.floor(box.top / CELL[1]),
+        )
+        canvas.put(column - left, row - top, words.runs[0].text)
+    lines = _trimmed(canvas.lines())
+    return _Block(tuple(lines), max(map(len, lines), default=0), len(lines) // 2)
+
+
+def _draw(canvas: Canvas, paper: Paper, dots: Callable[[Place], Place]) -> None:
+    """Strokes as dots, and small signs and heads of arrows as letters."""
     tips = [s for s in paper.strokes if isinstance(s, Stroke) and "head" in s.kind]
     for stroke in paper.strokes:
         if isinstance(stroke, Disc) and stroke.radius <= SMALL:
@@ -92,12 +112,6 @@ def _panel(paper: Paper) -> _Block:
                 canvas.stroke(start, end)
     for tip in tips:
         _tip(canvas, [dots(p) for p in tip.places])
-    for one in placed:
-        column = round((one.box.left - whole.left) / CELL[0])
-        row = int(((one.box.top + one.box.bottom) / 2 - whole.top) / CELL[1])
-        canvas.put(column, row, one.words.runs[0].text)
-    lines = _trimmed(canvas.lines())
-    return _Block(tuple(lines), max(map(len, lines), default=0), len(lines) // 2)
 
 
 def _middle(stroke: Stroke) -> tuple[float, float]:
@@ -107,18 +121,19 @@ def _middle(stroke: Stroke) -> tuple[float, float]:
 
 
 def _trimmed(lines: list[str]) -> list[str]:
-    """Without empty lines before and behind."""
+    """Without empty lines before and behind, and without columns that are empty before all else."""
     while lines and not lines[-1]:
         lines = lines[:-1]
     while lines and not lines[0]:
         lines = lines[1:]
-    return lines
+    before = min((len(line) - len(line.lstrip(" ")) for line in lines if line), default=0)
+    return [line[before:] for line in lines]
 
 
 def _in_cells(words: Words) -> Words:
     """Words as wide as their letters are in a terminal."""
     text = letters(_text(words.runs))
-    return replace(words, runs=(Run(text),), room=(len(text) + 0.5) * CELL[0])
+    return replace(words, runs=(Run(text),), room=len(text) * CELL[0])
 
 
 def _text(runs: Sequence[Run]) -> str:
@@ -130,7 +145,7 @@ def _text(runs: Sequence[Run]) -> str:
     return letters(text)
 
 
-def _tip(canvas: Canvas, places: Sequence[tuple[float, float]]) -> None:
+def _tip(canvas: Canvas, places: Sequence[Place]) -> None:
     """The head of an arrow: its tip comes first."""
     tip, *back = places
     x = tip[0] - sum(p[0] for p in back) / len(back)
@@ -146,14 +161,13 @@ def _tip(canvas: Canvas, places: Sequence[tuple[float, float]]) -> None:
         canvas.stroke(places[2], tip)
 
 
-def _sign(canvas: Canvas, at: tuple[float, float], sign: str) -> None:
-    canvas.put(int(at[0]) // ACROSS, int(at[1]) // DOWN, sign)
+def _sign(canvas: Canvas, at: Place, sign: str) -> None:
+    canvas.put(round(at[0]) // ACROSS, round(at[1]) // DOWN, sign)
 
 
-def _headed(panel: _Block, head: str) -> _Block:
-    if not head:
-        return panel
-    return _Block((head, *panel.lines), max(len(head), panel.columns), panel.middle + 1)
+def _headed(panel: _Block, head: Sequence[str]) -> _Block:
+    wide = max(map(len, (*head, "")))
+    return _Block((*head, *panel.lines), max(wide, panel.columns), panel.middle + len(head))
 
 
 def _beside(blocks: Sequence[_Block], between: Sequence[str]) -> list[str]:

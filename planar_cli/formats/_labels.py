@@ -23,6 +23,8 @@ CLASH, COVERS, EACH, AWAY, TURNED, OUTSIDE, CROSSES, TOUCHES = 1e6, 200.0, 1.0, 
 best angle; to stand outside a gap that is left for it; each pixel of a stroke that the line to its place crosses; to be
 so near to another label that the two are read as one.
 """
+EACH_CELL, BEYOND = 5.0, 300.0
+"""What it costs to cover something in a cell of letters; to stand where no room is for letters."""
 SPACE = 5.0
 """Between two labels beside each other, px."""
 LED, SPARE = 15.0, 2.5
@@ -32,19 +34,47 @@ LED, SPARE = 15.0, 2.5
 def with_labels(paper: Paper) -> Paper:
     """The paper with its words at their places, and with the lines that lead from them."""
     seen = [s for s in paper.strokes if s.kind != "grid"]
-    ink = Ink(spot for s in seen for spot in along(s, 1.0))
-    order = sorted(range(len(paper.words)), key=lambda i: (not paper.words[i].fixed, -paper.words[i].width))
-    set_: dict[int, _Candidate] = {}
-    for _ in range(ROUNDS):
-        before = dict(set_)
-        for i in order:
-            set_[i] = _best(paper.words[i], [c for k, c in set_.items() if k != i], ink)
-        if set_ == before:
-            break
-    found = [set_[i] for i in range(len(paper.words))]
+    found = _set(paper.words, _Ground(Ink(spot for s in seen for spot in along(s, 1.0))))
     leaders = (Stroke(c.leader, "leader") for c in found if c.leader)
     placed = tuple(Placed(words, c.box) for words, c in zip(paper.words, found, strict=True))
     return Paper((*paper.strokes, *leaders), paper.words, placed)
+
+
+def in_cells(words: Sequence[Words], taken: Iterable[Spot], cell: Spot, sides: Spot) -> list[Box]:
+    """Where words stand whose letters fill cells. `taken`: places in cells with something else, the oftener the more
+    it matters; `sides`: nothing is to stand to the left of the first, or to the right of the second.
+    """
+    return [c.box for c in _set(words, _Ground(Ink(taken), cell, sides))]
+
+
+@record
+class _Ground:
+    """What words stand on: pixels, each stroke with many, and lines lead to them; or cells, where few are free."""
+
+    ink: Ink
+    cell: Spot = (0.0, 0.0)
+    sides: Spot = (-math.inf, math.inf)
+
+    def covers(self, pixels: int) -> float:
+        """What it costs to stand on so many."""
+        return 0.0 if not pixels else EACH_CELL * pixels if self.cell[0] else COVERS + EACH * pixels
+
+    def box(self, box: Box) -> Box:
+        """Where words stand that ought to stand in a box."""
+        wide, high = self.cell
+        if not wide:
+            return box
+        left, top = round(box.left / wide) * wide, round(box.top / high) * high
+        right = left + round((box.right - box.left) / wide) * wide
+        return Box(left, top, right, top + high).grown(-1.5)
+
+    def leader(self, anchor: Spot, box: Box) -> tuple[Spot, ...]:
+        """The line that leads to words, if one does."""
+        return () if self.cell[0] else _leader(anchor, box)
+
+    def beyond(self, box: Box) -> float:
+        """What it costs to stand so far to the left or right."""
+        return BEYOND * (box.left < self.sides[0] or box.right > self.sides[1])
 
 
 @record
@@ -55,43 +85,57 @@ class _Candidate:
     leader: tuple[Spot, ...] = ()
 
 
-def _best(words: Words, others: Sequence[_Candidate], ink: Ink) -> _Candidate:
+def _set(words: Sequence[Words], ground: _Ground) -> list[_Candidate]:
+    """The place of each of some words."""
+    order = sorted(range(len(words)), key=lambda i: (not words[i].fixed, -words[i].width))
+    set_: dict[int, _Candidate] = {}
+    for _ in range(ROUNDS):
+        before = dict(set_)
+        for i in order:
+            set_[i] = _best(words[i], [c for k, c in set_.items() if k != i], ground)
+        if set_ == before:
+            break
+    return [set_[i] for i in range(len(words))]
+
+
+def _best(words: Words, others: Sequence[_Candidate], ground: _Ground) -> _Candidate:
     if words.fixed:
-        return _Candidate(_box(words, words.angles[0], words.gap))
+        return _Candidate(ground.box(_box(words, words.angles[0], words.gap)))
     best, least = None, math.inf
-    for one, cost in _candidates(words):
+    for one, cost in _candidates(words, ground):
         # What costs more where it is, costs more whatever it covers.
-        if cost < least and (total := cost + _covers(one, others, ink)) < least:
+        if cost < least and (total := cost + _covers(one, others, ground)) < least:
             best, least = one, total
     assert best is not None
     return best
 
 
-def _candidates(words: Words) -> Iterator[tuple[_Candidate, float]]:
+def _candidates(words: Words, ground: _Ground) -> Iterator[tuple[_Candidate, float]]:
     """Places round an anchor, with what it costs to be there, whatever else is."""
     x, y, half_w, half_h = *words.anchor, words.width / 2, words.height / 2
     if words.within:
-        yield _Candidate(Box(x - half_w, y - half_h, x + half_w, y + half_h)), 0.0
+        box = ground.box(Box(x - half_w, y - half_h, x + half_w, y + half_h))
+        yield _Candidate(box), ground.beyond(box)
     for far in FAR:
         for angle in (*words.angles, *ANGLES):
-            box = _box(words, angle, words.gap * far)
+            box = ground.box(_box(words, angle, words.gap * far))
             off = min((abs(math.remainder(angle - a, 2 * math.pi)) for a in words.angles), default=0.0)
             cost = (OUTSIDE if words.within else 0.0) + AWAY * (far - 1) + TURNED * off
-            yield _Candidate(box, _leader(words.anchor, box)), cost
+            yield _Candidate(box, ground.leader(words.anchor, box)), cost + ground.beyond(box)
 
 
-def _covers(one: _Candidate, others: Iterable[_Candidate], ink: Ink) -> float:
+def _covers(one: _Candidate, others: Iterable[_Candidate], ground: _Ground) -> float:
     """What it costs to be where other words, strokes and lines are."""
-    pixels, cost, box = ink.within(one.box), 0.0, one.box
+    pixels, cost, box = ground.ink.within(one.box), 0.0, one.box
     wide = Box(box.left - SPACE, box.top, box.right + SPACE, box.bottom)
     for other in others:
         cost += CLASH * box.overlaps(other.box) + TOUCHES * wide.overlaps(other.box)
-        if other.leader and one.box.is_cut(*other.leader):
+        if other.leader and box.is_cut(*other.leader):
             pixels += 1
         if one.leader and other.box.is_cut(*one.leader):
             pixels += 1
-    crossed = sum(map(ink.has, along(Stroke(one.leader, ""), 1.0)))
-    return cost + CROSSES * crossed + (COVERS + EACH * pixels if pixels else 0.0)
+    crossed = sum(map(ground.ink.has, along(Stroke(one.leader, ""), 1.0)))
+    return cost + CROSSES * crossed + ground.covers(pixels)
 
 
 def _leader(anchor: Spot, box: Box) -> tuple[Spot, ...]:
