@@ -2,24 +2,31 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
-from planar_cli.figures.drawn import named_body
+from planar_cli.errors import Mark
+from planar_cli.figures.drawn import brief, named_body
 from planar_cli.figures.illustrated import figures_of, illustrated
 from planar_cli.formats._paper import runs_of
+from planar_cli.problem.parser import parse_side
 from planar_cli.problem.structure import load_text
-from planar_cli.report.marks import Coil, Dashpot, Mark
+from planar_cli.report import marks as drawn_marks
+from planar_cli.report.marks import Angle, Coil, Dashpot, Dimension, Polyline
 from planar_cli.report.narrate import narrate
 from planar_cli.solve.run import solve_problem
 
 
-def scene(text: str) -> tuple[Mark, ...]:
+def scene(text: str) -> tuple[drawn_marks.Mark, ...]:
     """The marks of the scene of a problem."""
-    solution = solve_problem(load_text(text, "x.yaml")[0])
+    problem, wrong = load_text(text, "x.yaml")
+    assert problem is not None, wrong
+    solution = solve_problem(problem)
     return dict(figures_of(illustrated(narrate(solution), solution)))["scene"].panels[0].marks
 
 
-def told(mark: Mark) -> str:
+def told(mark: drawn_marks.Mark) -> str:
     return "".join(run.text for run in runs_of(getattr(mark, "words", ())))
 
 
@@ -51,3 +58,96 @@ find: {a: a(block).x}
 )
 def test_a_short_last_piece_of_a_name_is_an_index(name: str, runs: list[tuple[str, bool]]) -> None:
     assert [(r.text, r.index) for r in runs_of(named_body(name))] == runs
+
+
+ROLLING = """
+title: Rolling disk
+symbols: {r: m}
+coordinates: {phi: rad}
+points:
+  O: [0, 0]
+  G: [r*phi, r]
+  P: {from: G, distance: r, angle: 270 deg - phi}
+surfaces: {floor: {through: O, angle: 0 deg}}
+bodies: {disk: {disk: G, radius: r, points: [P]}}
+find: {r_P: r(P)}
+"""
+
+
+def test_the_angle_of_a_point_on_a_rim_lies_between_the_radii() -> None:
+    marks = scene(ROLLING)
+    (angle,) = (m for m in marks if isinstance(m, Angle))
+    (radius,) = (m for m in marks if isinstance(m, Dimension) and told(m) == "r")
+    assert told(angle) == "φ"
+    assert math.remainder(angle.start + math.pi / 2, 2 * math.pi) == pytest.approx(0.0)
+    assert angle.sweep < 0
+    way = math.atan2(radius.end[1] - radius.start[1], radius.end[0] - radius.start[0])
+    assert math.remainder(angle.start + angle.sweep - way, 2 * math.pi) == pytest.approx(0.0)
+
+
+LADDER = """
+title: Ladder
+plane: vertical
+given: {l: 4 m, beta: 50 deg}
+points:
+  A: [l*cos(beta), 0]
+  B: [0, l*sin(beta)]
+surfaces:
+  floor: {through: A, angle: 0 deg}
+  wall: {through: B, angle: 90 deg}
+bodies: {ladder: {rod: [A, B], mass: 15 kg}}
+joints:
+  - contact: {between: [ladder, floor], at: A, mu: 0.1}
+  - contact: {between: [ladder, wall], at: B, mu: 0.1}
+instant: [at rest]
+find: {alpha: alpha(ladder)}
+"""
+
+
+def test_letters_of_coordinates_are_drawn_where_they_are_seen() -> None:
+    marks = scene(LADDER)
+    assert [told(m) for m in marks if isinstance(m, Dimension)] == ["l"]
+    (angle,) = (m for m in marks if isinstance(m, Angle))
+    assert told(angle) == "β"
+    assert (angle.start, angle.sweep) == (pytest.approx(math.pi), pytest.approx(-math.radians(50)))
+
+
+def test_the_angle_of_a_face_stands_at_the_corner_of_its_wedge() -> None:
+    marks = scene(
+        """
+title: Block on a wedge
+plane: vertical
+given: {beta: 30 deg}
+points: {A: [0, 0], B: [0.2 m, 0.2 m]}
+surfaces:
+  floor: {through: A, angle: 0 deg}
+  face: {through: B, angle: -beta, body: wedge}
+bodies: {wedge: {particle: A, mass: 2 kg}, block: {particle: B, mass: 1 kg}}
+joints:
+  - contact: {between: [wedge, floor], mu: 0.1}
+  - contact: {between: [block, face], mu: 0.1}
+instant: [at rest]
+find: {a: a(wedge).x}
+"""
+    )
+    (angle,) = (m for m in marks if isinstance(m, Angle))
+    (wedge,) = (m for m in marks if isinstance(m, Polyline) and m.closed)
+    assert told(angle) == "β"
+    assert min(math.dist(angle.vertex, corner) for corner in wedge.places) < 1e-9
+    assert math.remainder(angle.start - math.pi, 2 * math.pi) == pytest.approx(0.0)
+
+
+@pytest.mark.parametrize(
+    ("written", "shown"),
+    [
+        ("a + b", "a + b"),
+        ("a - b + c", ""),
+        ("-a", "a"),
+        ("-a + b", ""),
+        ("2*(a + b - c)", ""),
+        ("a*cos(b)", "a cos b"),
+    ],
+)
+def test_long_sums_and_what_begins_with_a_minus_measure_nothing(written: str, shown: str) -> None:
+    side = parse_side(written, Mark("x", 1, 1))
+    assert "".join(run.text for run in runs_of(brief(side))) == shown

@@ -119,7 +119,7 @@ def _marks(drawn: Drawn, moving: Moving | None, joints: Sequence[Joint], later: 
     size = extent_of([*points.values(), *centers]) or ALONE
     spots = {name: (drawn.spot(scene.bodies[name].center), angle) for name, angle in lying(drawn).items()}
     standing = {name: Symbol("block", spot, angle) for name, (spot, angle) in spots.items() if spot is not None}
-    inner: list[Mark] = []
+    inner, edges_of = list[Mark](), dict[str, tuple[Spot, ...]]()
     shaped = frozenset[str]().union(*(edges(drawn, body) for body in scene.bodies.values()))
     for surface in problem.surfaces:
         if surface.name in shaped or _is_rim(drawn, surface):
@@ -136,15 +136,15 @@ def _marks(drawn: Drawn, moving: Moving | None, joints: Sequence[Joint], later: 
                 continue
             yield from belt_marks(drawn, surface, mark)
             if isinstance(mark, Hatched):
+                edges_of[surface.name] = mark.places
                 along = way_of(mark.places[0], mark.places[-1])
                 on_it = [name for name in sliders(problem, surface) if name in masses]
                 standing |= {name: Symbol("block", masses[name], along) for name in on_it}
-    sketches = [(entry, sketch_of(drawn, entry)) for entry in (*problem.joints, *problem.loads)]
     aside = side_by_side(drawn, moving, joints, extent_of([*points.values(), *centers]))
     sketched = [
         shifted(m, aside.get(getattr(entry, "body", ""), (0.0, 0.0)))
-        for entry, found in sketches
-        for s in found
+        for entry in (*problem.joints, *problem.loads)
+        for s in sketch_of(drawn, entry)
         for m in sketch_marks(drawn, s, line(entry.name), slid_to(later, entry, s))
     ]
     sliding = {m.at for m in sketched if isinstance(m, Symbol) and m.kind in ("slider", "rail", "block")}
@@ -164,7 +164,7 @@ def _marks(drawn: Drawn, moving: Moving | None, joints: Sequence[Joint], later: 
     yield from (Symbol("ring" if s in rings else "point", s) for s in shown.values())
     tagged = {**shown, **_particles(drawn, problem, shown)}
     tagged |= {name: (tagged[name][0] + x, tagged[name][1] + y) for name, (x, y) in aside.items() if name in tagged}
-    measures = [*measure_marks(drawn, problem, tagged)]
+    measures = [*measure_marks(drawn, problem, tagged, edges_of)]
     yield from (*measures, *_origin(measures, tagged))
     if moving is not None:
         yield from arrows_apart(given_motion_marks(moving, problem, aside), sketched)

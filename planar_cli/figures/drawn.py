@@ -159,8 +159,8 @@ def _scenes(motion: MotionTrace, state: str) -> Iterator[Scene]:
                 yield regime.solution.instant.scene
 
 
-TERMS = 3
-"""So many terms of a sum, those in brackets too, are too many to stand in a drawing."""
+TERMS = 2
+"""So many signs + and -, those in brackets too, are too many for words in a drawing."""
 INDEX = 2
 """A piece of a name that is not longer is an index."""
 TINY = 1e-12
@@ -195,7 +195,9 @@ def _opposite(side: Side) -> Side:
 
 
 def brief(side: Side, value: float | None = None) -> Line:
-    """The same, where it can stand beside what it measures: no sum of many terms, nor what begins with a minus."""
+    """The same, where it can stand beside what it measures: no sum of more than two terms, nor one that begins with a
+    minus.
+    """
     signs = sum(isinstance(node, Binary) and node.operator in "+-" for node in walk(side))
     first = side
     while isinstance(first, Binary):

@@ -7,70 +7,147 @@ along an axis.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 
 from planar_cli.figures.angles import angle_from_its_zero, angles_of_coordinates
-from planar_cli.figures.drawn import Drawn, size_of, words_of
+from planar_cli.figures.drawn import Drawn, brief, words_of
+from planar_cli.figures.partners import between
+from planar_cli.figures.rings import across, way_of
 from planar_cli.figures.shapes import moved
-from planar_cli.problem.scene import At, Body, Line, Point, Polar, Problem, Rod, Round, TwoFacts
+from planar_cli.figures.slopes import slope_angles
+from planar_cli.figures.sought import in_waves, sought
+from planar_cli.problem.expression import Name as Letter
+from planar_cli.problem.expression import Side
+from planar_cli.problem.scene import At, Body, Point, Polar, Problem, Rod, Round, Towards, TwoFacts
 from planar_cli.problem.shapes import rim_of
+from planar_cli.problem.walk import walk
 from planar_cli.report.blocks import Name, line
 from planar_cli.report.marks import Angle, Dimension, Mark, Spot, Tag
 
 RIGHT = math.pi / 2
 NEAR = 1e-6
+BESIDE = 0.01
+"""The middle of a scene that is so near to the line of a dimension, in parts of its length, lies on neither side."""
 OUT = math.radians(35)
 """In this direction beyond the upright a radius is drawn; that of a hub a quarter turn farther."""
 
 
-def measure_marks(drawn: Drawn, problem: Problem, tagged: Mapping[str, Spot]) -> Iterator[Mark]:
-    """Dimensions, angles and names. `tagged`: the points and particles that are drawn, by their names."""
+def measure_marks(
+    drawn: Drawn, problem: Problem, tagged: Mapping[str, Spot], edges: Mapping[str, Sequence[Spot]]
+) -> Iterator[Mark]:
+    """Dimensions, angles and names. `tagged`: the points and particles that are drawn, by their names; `edges`: the
+    fixed lines, as far as they are drawn, by their names.
+    """
     yield from (Tag(spot, line(Name(name))) for name, spot in tagged.items())
     told: set[str] = set()
-    for mark in _measures(drawn, problem, tagged):
-        words = repr(mark.words)
-        if words not in told:
-            told.add(words)
-            yield mark
+    middle = _middle([*tagged.values()])
+    for mark in _measures(drawn, problem, tagged, edges):
+        yield from _once(_outside(mark, middle), told)
+    letters = {s.name: Letter(s.name, None, s.mark) for s in (*problem.given, *problem.symbols, *problem.coordinates)}
+    asked = {name: letter for name, letter in letters.items() if repr(words_of(letter)) not in told}
+    for mark in sought(drawn, tagged, asked):
+        yield from _once(_outside(mark, middle), told)
+    for point in problem.points:
+        # l cos β is seen where l and β are.
+        waves = [letters[name] for name in in_waves(point) if name in letters]
+        seen = waves and all(repr(words_of(letter)) in told for letter in waves)
+        if point.name in tagged and isinstance(point.place, At | TwoFacts) and not seen:
+            for mark in _coordinates(tagged[point.name], point.place, drawn.moved_by(point.name)):
+                yield from _once(mark, told)
 
 
-def _measures(drawn: Drawn, problem: Problem, tagged: Mapping[str, Spot]) -> Iterator[Dimension | Angle]:
-    yield from _all_radii(drawn)
+def _middle(spots: Sequence[Spot]) -> Spot:
+    count = len(spots) or 1
+    return sum(x for x, _ in spots) / count, sum(y for _, y in spots) / count
+
+
+def _outside(mark: Dimension | Angle, middle: Spot) -> Dimension | Angle:
+    """A dimension beside its way on the side where less of the scene is."""
+    if not isinstance(mark, Dimension) or mark.side == 0 or mark.level:
+        return mark
+    reach = math.dist(mark.start, mark.end)
+    lies = across(mark.start, way_of(mark.start, mark.end), middle)
+    return replace(mark, side=-1) if lies > BESIDE * reach else mark
+
+
+def _once(mark: Dimension | Angle, told: set[str]) -> Iterator[Mark]:
+    """A mark whose words nothing has told yet; along x and along y the same may be told."""
+    words = repr(mark.words)
+    level = isinstance(mark, Dimension) and mark.level
+    key = f"{words} {mark.side}" if level and isinstance(mark, Dimension) else words
+    if words not in told and key not in told:
+        told.add(key)
+        yield mark
+
+
+def _measures(
+    drawn: Drawn, problem: Problem, tagged: Mapping[str, Spot], edges: Mapping[str, Sequence[Spot]]
+) -> Iterator[Dimension | Angle]:
+    yield from _all_radii(drawn, tagged)
     for body in problem.bodies:
         if isinstance(body.shape, Rod):
             yield from _rod(drawn, body, body.shape)
+    yield from slope_angles(drawn, edges)
     for point in problem.points:
-        if point.name in tagged and isinstance(point.place, Polar):
-            yield from _polar(drawn, point, point.place, tagged)
-    for surface in problem.surfaces:
-        if isinstance(surface.shape, Line) and surface.body is None:
-            start = drawn.carried(None, surface.shape.through)
-            if start is not None:
-                yield from angle_from_its_zero(drawn, start, surface.shape.angle)
+        if point.name in tagged and not any(drawn.moved_by(point.name)):
+            yield from _placed(drawn, point, tagged)
+    yield from _links(drawn, tagged)
     yield from angles_of_coordinates(drawn)
-    for point in problem.points:
-        if point.name in tagged and isinstance(point.place, At | TwoFacts):
-            yield from _coordinates(tagged[point.name], point.place, drawn.moved_by(point.name))
 
 
-def _polar(drawn: Drawn, point: Point, place: Polar, tagged: Mapping[str, Spot]) -> Iterator[Dimension | Angle]:
-    origin, spot = tagged.get(place.origin), tagged[point.name]
-    if origin is None or math.dist(origin, spot) < NEAR or any(drawn.moved_by(point.name)):
+def _placed(drawn: Drawn, point: Point, tagged: Mapping[str, Spot]) -> Iterator[Dimension | Angle]:
+    """What the file gives of a point from other points."""
+    spot = tagged[point.name]
+    match point.place:
+        case Polar() as place:
+            yield from _polar(drawn, spot, place, tagged)
+        case Towards(origin=origin, distance=distance):
+            yield from _apart(drawn, tagged.get(origin), spot, distance)
+        case TwoFacts(lines=lines, distances=distances):
+            for name, distance in distances:
+                yield from _apart(drawn, tagged.get(name), spot, distance)
+            for name, angle in lines:
+                if name in tagged:
+                    yield from angle_from_its_zero(drawn, tagged[name], angle)
+
+
+def _polar(drawn: Drawn, spot: Spot, place: Polar, tagged: Mapping[str, Spot]) -> Iterator[Dimension | Angle]:
+    origin = tagged.get(place.origin)
+    if origin is None or math.dist(origin, spot) < NEAR:
         return
-    words, radii = words_of(place.distance), [r.words for r in _all_radii(drawn)]
-    if words in radii:
-        # A place on a rim, such as where two bodies touch.
-        return
-    if words:
+    words = brief(place.distance, drawn.length(place.distance))
+    on_a_rim = words in [r.words for r in _all_radii(drawn, {})]
+    if words and not on_a_rim:
         yield Dimension(origin, spot, words)
-    yield from angle_from_its_zero(drawn, origin, place.angle)
+    if not on_a_rim or _is_lettered(place.angle):
+        # Of a place on a rim a number tells no more than where two bodies touch.
+        yield from angle_from_its_zero(drawn, origin, place.angle)
 
 
-def _all_radii(drawn: Drawn) -> Iterator[Dimension]:
+def _apart(drawn: Drawn, origin: Spot | None, spot: Spot, distance: Side) -> Iterator[Dimension]:
+    words = brief(distance, drawn.length(distance))
+    if origin is not None and words and math.dist(origin, spot) > NEAR:
+        yield Dimension(origin, spot, words)
+
+
+def _links(drawn: Drawn, tagged: Mapping[str, Spot]) -> Iterator[Dimension]:
+    """The lengths of light rods."""
+    for joint in drawn.scene.problem.joints:
+        length, ends = getattr(joint, "length", None), [tagged.get(name) for name in between(joint)]
+        if isinstance(length, Side) and len(ends) == 2 and ends[1] is not None:
+            yield from _apart(drawn, ends[0], ends[1], length)
+
+
+def _is_lettered(side: Side) -> bool:
+    return any(isinstance(node, Letter) for node in walk(side))
+
+
+def _all_radii(drawn: Drawn, tagged: Mapping[str, Spot]) -> Iterator[Dimension]:
     for body in drawn.scene.problem.bodies:
         rim = rim_of(body.shape)
         if rim is not None:
-            yield from _radii(drawn, body, rim)
+            yield from _radii(drawn, body, rim, tagged)
 
 
 def _rod(drawn: Drawn, body: Body, shape: Rod) -> Iterator[Dimension | Angle]:
@@ -84,18 +161,30 @@ def _rod(drawn: Drawn, body: Body, shape: Rod) -> Iterator[Dimension | Angle]:
         yield from angle_from_its_zero(drawn, start, shape.angle)
 
 
-def _radii(drawn: Drawn, body: Body, rim: Round) -> Iterator[Dimension]:
+def _radii(drawn: Drawn, body: Body, rim: Round, tagged: Mapping[str, Spot]) -> Iterator[Dimension]:
     center = drawn.carried(body.name, rim.center)
+    ways = [way_of(center, tagged[name]) for name in _seen_by_angle(drawn, rim, tagged)] if center is not None else []
     for i, side in enumerate(s for s in (rim.radius, rim.hub) if s is not None):
         radius, words = drawn.length(side), words_of(side)
         if center is not None and radius and words:
-            yield Dimension(center, moved(center, RIGHT + OUT + i * RIGHT, radius), words, side=0)
+            way = ways[0] if ways and i == 0 else RIGHT + OUT + i * RIGHT
+            yield Dimension(center, moved(center, way, radius), words, side=0)
+
+
+def _seen_by_angle(drawn: Drawn, rim: Round, tagged: Mapping[str, Spot]) -> Iterator[str]:
+    """The points of a rim that are placed by an angle in letters: to one of these its radius is drawn."""
+    for point in drawn.scene.problem.points:
+        place = point.place
+        if not isinstance(place, Polar) or point.name not in tagged or place.origin != rim.center:
+            continue
+        if words_of(place.distance) == words_of(rim.radius) and _is_lettered(place.angle):
+            yield point.name
 
 
 def _coordinates(spot: Spot, place: At | TwoFacts, moved: Spot) -> Iterator[Dimension]:
     """The distances of a point from the axes, where the file places it by them and it is drawn there."""
     for axis, side in enumerate((place.x, place.y)):
-        words = size_of(side, spot[axis]) if side is not None else ()
+        words = brief(side, spot[axis]) if side is not None else ()
         if words and abs(spot[axis]) > NEAR and not moved[axis]:
             start = (0.0, spot[1]) if axis == 0 else (spot[0], 0.0)
             yield Dimension(start, spot, words, side=-1 if axis == 0 else 1, level=True)

@@ -357,13 +357,13 @@ def _head(tip: Spot, way: float) -> Stroke:
 
 @_drawn.register
 def _angle(mark: Angle, scale: Scale) -> Iterator[Piece]:
-    at = scale.spot(mark.vertex)
-    yield Stroke((at, moved(at, mark.start, VERTEX * 1.35)), "measure dashed")
-    yield Stroke(arc(at, VERTEX, mark.start, mark.sweep), "measure")
+    at, radius = scale.spot(mark.vertex), mark.radius or VERTEX
+    yield Stroke((at, moved(at, mark.start, radius + VERTEX * 0.35)), "measure dashed")
+    yield Stroke(arc(at, radius, mark.start, mark.sweep), "measure")
     middle = mark.start + mark.sweep / 2
     end = mark.start + mark.sweep
-    yield _head(moved(at, end, VERTEX), end + math.copysign(math.pi / 2, mark.sweep))
-    yield Words(runs_of(mark.words), moved(at, middle, VERTEX), "measure", (middle,), 4.0)
+    yield _head(moved(at, end, radius), end + math.copysign(math.pi / 2, mark.sweep))
+    yield Words(runs_of(mark.words), moved(at, middle, radius), "measure", (middle,), 4.0)
 
 
 @_drawn.register

@@ -204,12 +204,15 @@ class Dimension:
 
 @record
 class Angle:
-    """An angle at a vertex, from the direction `start` through `sweep`."""
+    """An angle at a vertex, from the direction `start` through `sweep`. `radius`: of its arc on paper, px (0: what is
+    usual).
+    """
 
     vertex: Spot
     start: float
     sweep: float
     words: Line
+    radius: float = 0.0
 
 
 @record
