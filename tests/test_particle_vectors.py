@@ -67,3 +67,33 @@ def test_they_stand_behind_the_step_that_finds_them() -> None:
     blocks = illustrated(narrate(solution), solution).blocks
     at = next(i for i, b in enumerate(blocks) if isinstance(b, Drawing) and b.figure.name == "vectors of P")
     assert at < next(i for i, b in enumerate(blocks) if isinstance(b, Answer))
+
+
+@pytest.mark.parametrize(
+    ("stem", "names", "size"), [("ex-1-12", ("path of P", "hodograph of P, pole o"), 1.0), ("ellipse-in-time", (), 0.0)]
+)
+def test_curves_that_are_asked_for_are_drawn_whole(stem: str, names: tuple[str, ...], size: float) -> None:
+    """To scales of their own, each with the point on it or the velocity from the pole."""
+    drawn = figures(stem)
+    panels = drawn["curves of P"].panels
+    assert len(panels) == 2
+    if names:
+        assert tuple(told(p.head) for p in panels) == names
+    for panel in (*panels, drawn["scene"].panels[0]):
+        (way,) = (m.places for m in panel.marks if isinstance(m, Polyline) and m.style == "way")
+        assert way[0] == pytest.approx(way[-1], abs=1e-6)
+        radii = [math.hypot(*spot) for spot in way]
+        assert not size or max(radii) == pytest.approx(min(radii), rel=1e-6)
+    (tip,) = (m.end for m in panels[1].marks if isinstance(m, Span))
+    way = next(m.places for m in panels[1].marks if isinstance(m, Polyline) and m.style == "way")
+    assert min(math.dist(tip, spot) for spot in way) < 0.03
+
+
+def test_a_hodograph_has_the_velocity_of_each_state() -> None:
+    panel = figures("hodograph-of-a-throw")["curves of ball"].panels[1]
+    found = vectors(panel)
+    assert set(found) == {"v_ball,throw", "v_ball,top"}
+    thrown, top = found["v_ball,throw"], found["v_ball,top"]
+    assert thrown[0] == pytest.approx(top[0])
+    assert thrown[1] / thrown[0] == pytest.approx(math.tan(math.radians(60)))
+    assert top[1] == pytest.approx(0, abs=1e-6)

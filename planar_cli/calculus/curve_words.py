@@ -37,6 +37,7 @@ class Curve:
     `centre`, `radius`: of a circle; `centre` also of an ellipse or hyperbola, and the place of a point at rest.
     `holds`: where the equation holds, in words; empty: for every value of the parameter.
     `given_by`: what describes the curve where no equation does: "x(t) and y(t)".
+    `course`: the two coordinates as formulas of `parameter`, where they are that.
     """
 
     kind: str
@@ -46,6 +47,8 @@ class Curve:
     radius: sp.Expr | None = None
     holds: str = ""
     given_by: str = ""
+    course: tuple[sp.Expr, sp.Expr] | None = None
+    parameter: sp.Symbol | None = None
 
     @property
     def words(self) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -57,10 +57,15 @@ ALONE = 1.0
 """The size of a scene that is one point, m."""
 
 
-def arrangement(instant: InstantSolution, motion: MotionTrace | None = None, run: Run | None = None) -> Panel:
+def arrangement(
+    instant: InstantSolution,
+    motion: MotionTrace | None = None,
+    run: Run | None = None,
+    whole: Mapping[str, tuple[Spot, ...]] | None = None,
+) -> Panel:
     """The scene of an instant where the file draws it; of a motion where it begins, and where its bodies are later.
 
-    `run`: the motion as it was followed, which tells ways that no formula tells.
+    `run`: the motion as it was followed, which tells ways that no formula tells; `whole`: the paths that are asked for.
     """
     drawn = Drawn.as_in_the_file(instant)
     problem, states = drawn.scene.problem, [s.name for s in drawn.scene.problem.states]
@@ -74,9 +79,11 @@ def arrangement(instant: InstantSolution, motion: MotionTrace | None = None, run
     if motion is None or not states:
         bodies = drawn.scene.bodies
         particles = [name for name, body in bodies.items() if isinstance(body.shape, Particle)]
-        curves = [curve_of(drawn, name) or course_of(drawn, name) for name in particles]
-        ways = (Polyline(curve, "way") for curve in curves if len(curve) > 1)
-        return _panel((*_marks(drawn, moving, problem.joints), *ways))
+        asked = whole or {}
+        curves = [asked.get(name) or curve_of(drawn, name) or course_of(drawn, name) for name in particles]
+        ways = [Polyline(curve, "way") for curve in curves if len(curve) > 1]
+        marks = tuple(_marks(drawn, moving, problem.joints))
+        return _panel((*marks, *ways, *_pole(drawn, marks, ways)))
     joints = motion.problem.joints
     size = extent_of([s for m in _marks(drawn, moving, joints) for s in spots_of(m)])
     places = brought_near(positions(drawn, motion, states), size)
@@ -179,6 +186,16 @@ def _origin(measures: Sequence[Mark], tagged: dict[str, Spot]) -> Iterator[Mark]
     if len(across) == 2 and all(math.hypot(*s) > 1e-9 for s in tagged.values()):
         yield Symbol("origin", (0.0, 0.0))
         yield Tag((0.0, 0.0), line(Name("0" if "O" in tagged else "O")))
+
+
+def _pole(drawn: Drawn, marks: Sequence[Mark], ways: Sequence[Polyline]) -> Iterator[Mark]:
+    """The origin, from which formulas of the time tell a way, if nothing with a name lies there."""
+    told = any(course_of(drawn, name) for name, body in drawn.scene.bodies.items() if isinstance(body.shape, Particle))
+    named = {m.words for m in marks if isinstance(m, Tag) and math.hypot(*m.at) < ON}
+    letters = {m.words for m in marks if isinstance(m, Tag)}
+    if ways and told and not named and line(Name("O")) not in letters:
+        yield Symbol("origin", (0.0, 0.0))
+        yield Tag((0.0, 0.0), line(Name("O")))
 
 
 def _is_rim(drawn: Drawn, surface: Surface) -> bool:

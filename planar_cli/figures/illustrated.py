@@ -7,6 +7,7 @@ from dataclasses import replace
 from itertools import takewhile
 
 from planar_cli.figures.arrangement import arrangement, followed_arrangement
+from planar_cli.figures.asked_curves import curve_figures, whole_paths
 from planar_cli.figures.broken import scene
 from planar_cli.figures.centres import Centres
 from planar_cli.figures.courses import course_figures
@@ -133,7 +134,8 @@ class _Vectors:
 
     def __init__(self, solution: Solution, page: Sequence[Block]) -> None:
         letters = frozenset(name for block in page for name in names_in(block))
-        self.waiting = {p.case.replace("_", " "): list(vector_figures(p, letters)) for p in solution.parts}
+        figures = {p.case.replace("_", " "): (*curve_figures(p), *vector_figures(p, letters)) for p in solution.parts}
+        self.waiting = {case: list(told) for case, told in figures.items()}
 
     def figures(self, page: Sequence[Block], step: Sequence[Block], ended: bool) -> Iterator[Figure]:
         """Those whose answers a step has on the left of an equation. `page`: what stands above; `ended`: it is the last
@@ -182,7 +184,7 @@ def _arrangement(solution: Solution) -> Figure | None:
     """
     for part in solution.parts:
         panel = (
-            arrangement(part.instants[0], part.motion, part.run)
+            arrangement(part.instants[0], part.motion, part.run, whole_paths(part))
             if part.instants
             else followed_arrangement(part.followed.run)
             if part.followed is not None

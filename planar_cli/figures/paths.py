@@ -102,7 +102,7 @@ def _at(motion: MotionTrace, general: sp.Symbol, state: str) -> sp.Symbol | None
     return next((x for x, g in motion.general.items() if g == general and motion.ledger.roles[x].at == state), None)
 
 
-def _value(motion: MotionTrace, general: sp.Symbol, state: str) -> float | None:
+def value_in(motion: MotionTrace, general: sp.Symbol, state: str) -> float | None:
     """What a coordinate or speed is in a state."""
     own = _at(motion, general, state)
     found = motion.value.known(own) if own is not None else None
@@ -120,7 +120,7 @@ def _by_coordinate(motion: MotionTrace, regime: RegimeTrace, body: str, since: s
     if len(moving) != 1:
         return ()
     (q,) = moving
-    first, last = _value(motion, q, since), _value(motion, q, until)
+    first, last = value_in(motion, q, since), value_in(motion, q, until)
     if first is None or last is None:
         return ()
     ways = (first + (last - first) * i / STEPS for i in range(STEPS + 1))
@@ -143,7 +143,7 @@ def _axis(motion: MotionTrace, laws: dict[sp.Symbol, Law], place: sp.Expr, since
     clock = _time(motion)
     if place not in laws or clock is None:
         return ()
-    times, ends = ([_value(motion, s, state) for state in (since, until)] for s in (clock, place))
+    times, ends = ([value_in(motion, s, state) for state in (since, until)] for s in (clock, place))
     if None in times or None in ends:
         return ()
     (begin, end), (first, last) = ([v for v in pair if v is not None] for pair in (times, ends))
@@ -161,7 +161,7 @@ def _axis(motion: MotionTrace, laws: dict[sp.Symbol, Law], place: sp.Expr, since
 def _rests(motion: MotionTrace, law: Law, since: str, until: str) -> set[sp.Basic]:
     """What varies between two states, of what a rate is a formula of."""
     found = law.f.free_symbols & (motion.varying | set(motion.general.values()) | {law.v})
-    same = {s for s in found if s.name != "t" and _value(motion, s, since) == _value(motion, s, until) is not None}
+    same = {s for s in found if s.name != "t" and value_in(motion, s, since) == value_in(motion, s, until) is not None}
     return set(found - same) if law.order == 1 else set(found)
 
 

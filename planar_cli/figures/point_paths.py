@@ -9,6 +9,7 @@ from itertools import pairwise
 import sympy as sp
 
 from planar_cli.equation.curves import curve_place
+from planar_cli.figures.asked_curves import whole_paths
 from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.paths import course_of, curve_of, path_of
 from planar_cli.problem.geometry import Vec
@@ -26,7 +27,7 @@ BEYOND = 0.3
 def way_of_point(part: PartSolution, drawn: Drawn, name: str) -> tuple[Spot, ...]:
     """Places along it; none: nothing tells it."""
     at = drawn.spot(drawn.scene.bodies[name].center if name in drawn.scene.bodies else drawn.scene.points[name])
-    led = next(_led(drawn, name, at), ()) if at is not None else ()
+    led = whole_paths(part).get(name) or (next(_led(drawn, name, at), ()) if at is not None else ())
     found = led or course_of(drawn, name) or (curve_of(drawn, name) if name in drawn.scene.bodies else ())
     if found or part.motion is None:
         return found

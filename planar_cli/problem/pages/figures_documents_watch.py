@@ -30,14 +30,16 @@ Figures of a page
   vectors of a point       where components are asked for: v and a at the place of the point, with v_r and v_θ, a_t and
                            a_n, or x and y, to scale and in their real senses (|a_r| is the size of a negative one);
                            e_r and e_θ, e_t and e_n; r and θ from their zero; the path, as far as it is known
+  curves of a point        a path and a hodograph that are asked for, as far as they go on: the point in its states,
+                           and the velocities there from the pole o; each to a scale of its own
   instantaneous centres    where velocities are found or checked by I, or it is asked for: I, the perpendiculars to the
                            velocities, dashed, and these velocities, to one scale
   `figure: {hide: [W, Q]}` in the file keeps the names of points and bodies out of the scene.
 
 planar draw FILE -o FOLDER
   Each figure as a file: NAME-scene.svg, NAME-BODY.svg for the diagrams of a body, NAME-velocities.svg,
-  NAME-accelerations.svg, NAME-vectors_of_POINT.svg and NAME-centre_of_BODY.svg, with a number where there
-  are several. `--format png` makes pictures of dots (`.[pdf]`).
+  NAME-accelerations.svg, NAME-vectors_of_POINT.svg, NAME-curves_of_POINT.svg and
+  NAME-centre_of_BODY.svg, with a number where there are several. `--format png` makes pictures of dots (`.[pdf]`).
   Curves over the time, and the motion as it goes on: `planar simulate --plot` and `--animate`
   (`planar explain simulate`).
 

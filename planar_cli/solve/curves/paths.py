@@ -75,6 +75,7 @@ class CurveReader:
             at, value = single.place, scene.valuations[0]
             axes = _free_axes(axes, at.x.free_symbols | at.y.free_symbols, q.things[0])
             curve = curve_of(at.x, at.y, single.parameter, value, axes, polar, letters)
+            curve = replace(curve, course=(at.x, at.y), parameter=single.parameter)
             heading = self._heading(q) + self._meaning(single)
             every = self._rows(place, single, curve, axes)
             short = tuple(r for r in every if not _too_long(r))
