@@ -223,3 +223,30 @@ def test_a_way_by_coordinates_that_are_formulas_of_the_time() -> None:
     (way,) = (m.places for m in marks_of("parabola-in-time") if isinstance(m, Polyline) and m.style == "way")
     assert way[len(way) // 2] == pytest.approx((3, 3.5))
     assert way[-1] == pytest.approx((6, 6))
+
+
+def test_a_bob_goes_round_the_nail_on_the_circle_of_the_short_cord() -> None:
+    ways = [
+        m.places for m in marks_of("bob-whose-cord-catches-on-a-nail") if isinstance(m, Polyline) and m.style == "way"
+    ]
+    assert len(ways) == 2
+    nail, last = (0.0, -1.2), ways[1]
+    assert all(math.dist(nail, s) == pytest.approx(0.8) for s in last)
+    assert last[0] == pytest.approx((0.0, -2.0))
+    assert min(x for x, _ in last) == pytest.approx(-0.8, abs=0.01), "on to the left, as it came"
+
+
+def test_a_flight_is_a_parabola_where_it_is_broken_too() -> None:
+    (way,) = (m.places for m in marks_of("ball-on-a-rough-floor") if isinstance(m, Polyline) and m.style == "way")
+    rise, length = max(y for _, y in way) - way[0][1], way[-1][0] - way[0][0]
+    assert rise / length == pytest.approx(3 / 4.6 / 4, rel=1e-3), "v_y / v_x / 4"
+
+
+def test_flights_in_a_scene_of_letters_are_bent() -> None:
+    marks = marks_of("ex-1-15")
+    ways = [m.places for m in marks if isinstance(m, Polyline) and m.style == "way"]
+    assert all(math.dist(way[-1], ways[0][-1]) < 1e-9 for way in ways), "they meet"
+    a = next(w for w in ways if w[0] != (0.0, 0.0))
+    first = (a[1][0] - a[0][0], a[1][1] - a[0][1])
+    assert math.degrees(math.atan2(first[1], first[0])) == pytest.approx(30, abs=1), "as it is thrown"
+    assert max(y for _, y in a) > a[-1][1] + 0.05

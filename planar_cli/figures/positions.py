@@ -21,6 +21,7 @@ from planar_cli.figures.paths import followed_path, path_of
 from planar_cli.figures.posed import Posed, variables_of
 from planar_cli.figures.rings import extent_of, moved_by
 from planar_cli.figures.shapes import body_marks
+from planar_cli.figures.ways import in_shape, lower_by, lowered, round_a_tie
 from planar_cli.problem.entry import Entry
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.scene import GROUND, Line, Round
@@ -54,6 +55,8 @@ class Later:
     spots: Mapping[str, Spot]
     angles: Mapping[str, float | None]
     shift: Spot = (0.0, 0.0)
+    lower: Spot = (0.0, 0.0)
+    """By so much bodies that flew are drawn lower than where the letters of the scene, as drawn, have them, m."""
     first: Later | None = None
     """The position that is moved and turned into this one, where `there` is not this one."""
     pose: Drawn | None = None
@@ -101,7 +104,23 @@ def positions(drawn: Drawn, motion: MotionTrace, states: Sequence[str]) -> list[
     for new in all_:
         if new is not None:
             _put(found, new, near)
-    return found
+    return _bent(found, motion)
+
+
+def _bent(places: list[Later], motion: MotionTrace) -> list[Later]:
+    """The same with flights that are seen to be bent, where letters leave open how long they are."""
+    scene = places[0].there.scene if places else None
+    alone = scene is not None and scene.ledger.symbolic and not (scene.problem.joints or scene.problem.surfaces)
+    if scene is None or not alone or len(places) != 2 or not (places[0].states and places[1].states):
+        return places
+    first, last = places
+    names = [n for n in first.spots if n in last.spots and _moved(n, first, last)]
+    ways = [path_of(motion, None, n, first.states[-1], last.states[0]) for n in names]
+    if not all(len(w) > 2 for w in ways):
+        return places
+    lower = lower_by(ways, [*first.spots.values(), *last.spots.values()])
+    spots = {n: moved_by(s, lower) if n in names else s for n, s in last.spots.items()}
+    return [first, replace(last, spots=spots, lower=lower)]
 
 
 def followed_positions(drawn: Drawn, run: Run) -> list[Later]:
@@ -261,7 +280,7 @@ def _moved(name: str, a: Later, b: Later) -> bool:
 
 
 def _ways(places: Sequence[Later], motion: MotionTrace | None, run: Run | None) -> Iterator[Mark]:
-    where = {state: p for p in places for state in p.states}
+    where, before = {state: p for p in places for state in p.states}, dict[str, Sequence[Spot]]()
     states = motion.states if motion is not None else tuple(s.name for s in run.problem.states) if run else ()
     for since, until in pairwise(s for s in states if s in where):
         a, b = where[since], where[until]
@@ -271,19 +290,23 @@ def _ways(places: Sequence[Later], motion: MotionTrace | None, run: Run | None) 
         for name in [n for n in a.spots if n not in links or not bodies[n].rigid] if a is not b else ():
             if name not in b.spots or math.dist(a.spots[name], b.spots[name]) < TINY:
                 continue
+            way = path_of(motion, run, name, since, until) if motion else followed_path(run, name, since, until)
+            way = way or round_a_tie(b.there, name, (a.spots[name], b.spots[name]), before.get(name, ()))
+            before[name] = way
             if a.shift != b.shift:
-                yield from _broken(a.at(name), b.at(name))
-            elif not any(a.shift):
-                way = path_of(motion, run, name, since, until) if motion else followed_path(run, name, since, until)
-                if len(way) > 1:
-                    yield shifted(Polyline(way, "way"), a.there.beside.moves.get(name, NOWHERE))
+                yield from _broken((a.at(name), b.at(name)), way)
+            elif not any(a.shift) and len(way) > 1:
+                drawn = lowered(way, b.lower) if any(b.lower) else way
+                yield shifted(Polyline(drawn, "way"), a.there.beside.moves.get(name, NOWHERE))
 
 
-def _broken(start: Spot, end: Spot) -> Iterator[Mark]:
-    """The straight line to a place that is drawn too near, with the sign of a break."""
-    middle = ((start[0] + end[0]) / 2, (start[1] + end[1]) / 2)
-    yield Polyline((start, end), "way")
-    yield Symbol("break", middle, math.atan2(end[1] - start[1], end[0] - start[0]))
+def _broken(ends: tuple[Spot, Spot], way: Sequence[Spot]) -> Iterator[Mark]:
+    """The way to a place that is drawn too near, in its shape, with the sign of a break."""
+    places = in_shape(way, ends) or ends
+    half = len(places) // 2
+    (x, y), (u, v) = (places[half - 1], places[half]) if len(places) == 2 else (places[half - 1], places[half + 1])
+    yield Polyline(places, "way")
+    yield Symbol("break", ((x + u) / 2, (y + v) / 2), math.atan2(v - y, u - x))
 
 
 def _own(drawn: Drawn, name: str) -> float:
