@@ -188,7 +188,7 @@ def test_ropes_of_one_direction_are_drawn_parallel(name: str) -> None:
     ropes = [m.places for m in marks if isinstance(m, Polyline) and m.style == "rope"]
     assert len(ropes) > 2
     assert all(abs(a[0] - b[0]) < 1e-3 * math.dist(a, b) for a, b in ropes)
-    spots = [m.at for m in marks if isinstance(m, Symbol) and m.kind in ("particle", "rail", "wall")]
+    spots = [m.at for m in marks if isinstance(m, Symbol) and m.kind in ("particle", "slider", "wall")]
     radii = [(m.center, m.radius) for m in marks if isinstance(m, Arc)]
     for end in (s for rope in ropes for s in rope):
         held = any(math.dist(end, s) < 1e-6 for s in spots)
@@ -253,3 +253,34 @@ def test_a_rotation_about_a_fixed_pin_is_drawn_there() -> None:
     told = {repr(m.words) for m in marks if isinstance(m, Turn)}
     assert len(told) == 2
     assert all("omega_" in words for words in told), "whose each is, where two turn about one place"
+
+
+def test_a_block_on_a_wedge_slides_between_its_guides() -> None:
+    marks = drawings("friction/wedge-driven-under-a-block")["scene"].panels[0].marks
+    (walls,) = (m for m in marks if isinstance(m, Symbol) and m.kind == "guides")
+    (block,) = (m for m in marks if isinstance(m, Symbol) and m.kind == "block")
+    assert abs(math.sin(walls.angle)) == pytest.approx(1)
+    assert block.at == walls.at
+    assert math.sin(block.angle + block.lean + math.pi / 2) == pytest.approx(1), "its sides are upright"
+
+
+def test_the_ground_is_not_where_a_surface_presses_a_particle() -> None:
+    marks = drawings("bead-in-loop")["scene"].panels[0].marks
+    (loop,) = (m.places for m in marks if isinstance(m, Hatched))
+    middle = len(loop) // 2
+    (x, y), (u, v) = loop[middle], loop[middle + 1]
+    assert -(x * (v - y) - y * (u - x)) < 0, "counterclockwise about O: hatched on its outside"
+
+
+def test_a_curve_is_drawn_from_where_its_formula_begins() -> None:
+    marks = drawings("textbook/ex-1-13")["scene"].panels[0].marks
+    (track,) = (m.places for m in marks if isinstance(m, Hatched))
+    assert min(x for x, _ in track) < 0
+    assert max(x for x, _ in track) > 2
+
+
+def test_a_cord_in_a_horizontal_plane_runs_straight_to_a_hole() -> None:
+    marks = drawings("momentum/puck-drawn-in-through-a-hole")["scene"].panels[0].marks
+    assert not [m for m in marks if isinstance(m, Symbol) and m.kind == "hanger"]
+    ropes = [m.places for m in marks if isinstance(m, Polyline) and m.style == "rope"]
+    assert ropes[0][1] == ropes[1][0]

@@ -10,14 +10,15 @@ from typing import TYPE_CHECKING
 from planar_cli.figures.belts import belt_marks, frame_marks
 from planar_cli.figures.carried import shifted
 from planar_cli.figures.drawn import Drawn
+from planar_cli.figures.floors import blocks_on_faces
 from planar_cli.figures.given_motion import Found, Moving, Told, arrows_apart, given_motion_marks
 from planar_cli.figures.held_later import slack_marks
 from planar_cli.figures.joints_drawn import sketch_marks
 from planar_cli.figures.measures import measure_marks
 from planar_cli.figures.names import names_of_bodies
-from planar_cli.figures.outlines import edges, lying
+from planar_cli.figures.outlines import edges
 from planar_cli.figures.parallel import with_parallel_ropes
-from planar_cli.figures.partners import is_slot, partners, sketch_of, sliders, touching
+from planar_cli.figures.partners import between, is_slot, partners, sketch_of, sliders, touching
 from planar_cli.figures.paths import course_of, curve_of
 from planar_cli.figures.positions import Later, brought_near, followed_positions, position_marks, positions, slid_to
 from planar_cli.figures.rings import extent_of, way_of
@@ -29,6 +30,7 @@ from planar_cli.figures.surfaces import surface_marks
 from planar_cli.figures.within import within
 from planar_cli.joints.base import Joint
 from planar_cli.problem.scene import Circle, Line, Particle, Problem, Round, Surface
+from planar_cli.problem.sketches import Slide
 from planar_cli.report.blocks import Name, line
 from planar_cli.report.marks import (
     Angle,
@@ -53,6 +55,8 @@ if TYPE_CHECKING:
 
 ON = 1e-6
 """What is so near to a bar, in parts of its length, is on it."""
+PRESSED = 0.1
+"""So far beside a surface, in parts of the scene, a body is taken to be that is drawn on it as a point."""
 ALONE = 1.0
 """The size of a scene that is one point, m."""
 
@@ -124,8 +128,7 @@ def _marks(drawn: Drawn, moving: Moving | None, joints: Sequence[Joint], later: 
     masses = {n: s for n, b in scene.bodies.items() if (s := drawn.spot(b.center)) is not None}
     centers, named = list(masses.values()), {**masses, **points}
     size = extent_of([*points.values(), *centers]) or ALONE
-    spots = {name: (drawn.spot(scene.bodies[name].center), angle) for name, angle in lying(drawn).items()}
-    standing = {name: Symbol("block", spot, angle) for name, (spot, angle) in spots.items() if spot is not None}
+    standing = blocks_on_faces(drawn)
     inner, edges_of = list[Mark](), dict[str, tuple[Spot, ...]]()
     shaped = frozenset[str]().union(*(edges(drawn, body) for body in scene.bodies.values()))
     for surface in problem.surfaces:
@@ -134,6 +137,7 @@ def _marks(drawn: Drawn, moving: Moving | None, joints: Sequence[Joint], later: 
         places = [named[p] for p in touching(problem, surface, joints) if p in named]
         near_it = [b for b in partners(problem, surface, joints) if b in scene.bodies]
         near = [s for b in near_it if (s := drawn.spot(scene.bodies[b].center)) is not None]
+        near += _pressed(drawn, moving, surface, joints, size)
         beside = scene.bodies if isinstance(surface.shape, Line | Circle) else near_it
         seen = [[*body_marks(drawn, scene.bodies[b])] for b in beside]
         seen += [p.marks(b) for p in later for b in beside if b in p.spots]
@@ -177,6 +181,21 @@ def _marks(drawn: Drawn, moving: Moving | None, joints: Sequence[Joint], later: 
         yield from arrows_apart(given_motion_marks(moving, problem, aside), sketched)
     yield Axes(problem.plane == "vertical")
     yield from names_of_bodies(drawn, problem, tagged)
+
+
+def _pressed(
+    drawn: Drawn, moving: Moving | None, surface: Surface, joints: Sequence[Joint], size: float
+) -> Iterator[Spot]:
+    """Places beside a fixed surface where it presses a body: on that side there is none of the ground. Not of a guide,
+    which holds on both sides.
+    """
+    touched = [j for j in joints if surface.name in between(j)] if moving is not None and surface.body is None else []
+    for joint in touched:
+        if moving is None or any(isinstance(s, Slide) for s in sketch_of(drawn, joint)):
+            continue
+        for (x, y), (u, v) in moving.pressed(joint.name):
+            reach = PRESSED * size / (math.hypot(u, v) or 1.0)
+            yield x + reach * u, y + reach * v
 
 
 def _origin(measures: Sequence[Mark], tagged: dict[str, Spot]) -> Iterator[Mark]:

@@ -18,6 +18,8 @@ from planar_cli.report.marks import Hatched, Mark, Slot, Spot, Symbol, spots_of
 
 BEYOND, SHORT = 0.15, 0.08
 """A floor goes on behind a body by this part of the scene, and is at least so long on either side of it."""
+LEANING = math.radians(60)
+"""A guide that is turned by more from upright on a face leads along it."""
 STEEP = 0.7
 """The sine of the angle from which on a track is no floor."""
 
@@ -31,6 +33,8 @@ def slide_marks(drawn: Drawn, slide: Slide, later: Sequence[Spot] = ()) -> Itera
         return
     body = drawn.body(slide.body) if slide.body is not None else None
     if body is not None and body.name in lying(drawn):
+        if slide.grounded and not slide.drawn and _lean(lying(drawn)[body.name], along) is not None:
+            yield Symbol("guides", at, _away(lying(drawn)[body.name], along))
         return
     if body is None or (isinstance(body.shape, Particle) and not (slide.grounded and _stands(drawn, body, at, along))):
         yield from _slot(drawn, slide, at, along, later)
@@ -58,6 +62,30 @@ def _slot(drawn: Drawn, slide: Slide, at: Spot, along: float, later: Sequence[Sp
         holds = [s for h in _sketches(drawn) if isinstance(h, Hinge) and (s := drawn.spot(h.at)) is not None]
         slot = slot_within(at, along, [*body_marks(drawn, carrier)], holds)
         yield from () if slot is None else (slot,)
+
+
+def blocks_on_faces(drawn: Drawn) -> dict[str, Symbol]:
+    """What lies on faces of bodies, by name: blocks; the sides of one between guides are parallel to these."""
+    found = {}
+    for name, angle in lying(drawn).items():
+        spot = drawn.spot(drawn.scene.bodies[name].center)
+        slides = (s for s in _sketches(drawn) if isinstance(s, Slide) and s.body == name and s.grounded and not s.drawn)
+        ways = [way for s in slides if (way := drawn.angle(s.along)) is not None]
+        lean = _lean(angle, ways[0]) if ways else None
+        if spot is not None:
+            found[name] = Symbol("block", spot, angle, lean=lean or 0.0)
+    return found
+
+
+def _away(face: float, along: float) -> float:
+    """The direction of a guide away from the face on whose left something lies."""
+    return along if math.sin(along - face) > 0 else along + math.pi
+
+
+def _lean(face: float, along: float) -> float | None:
+    """By how much a guide is turned from upright on a face; None: it goes along it."""
+    lean = math.remainder(_away(face, along) - face - math.pi / 2, 2 * math.pi)
+    return lean if abs(lean) < LEANING else None
 
 
 def _stands(drawn: Drawn, body: BodyModel, at: Spot, along: float) -> bool:

@@ -5,7 +5,7 @@ and the angles of their directions.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Protocol
 
@@ -14,6 +14,7 @@ from planar_cli.figures.angles import angle_from_its_zero
 from planar_cli.figures.drawn import TINY, Drawn, size_of, words_of
 from planar_cli.figures.partners import pivot_of
 from planar_cli.problem.expression import PointPair, Quantity, Relation, Side
+from planar_cli.problem.facts import Push
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND, Problem
 from planar_cli.records import record
@@ -44,19 +45,29 @@ class Moving(Protocol):
         tells it.
         """
 
+    def pressed(self, joint: str) -> Sequence[tuple[Spot, Spot]]:
+        """Where and in which directions a joint presses on bodies; nothing where that was not worked out."""
+
 
 @record
 class Found:
-    """Those of a motion that was worked out."""
+    """Those of a motion that was worked out. `pushes`: the reactions with which it was."""
 
     drawn: Drawn
     motion: Motion
+    pushes: tuple[Push, ...]
 
     @classmethod
     def of(cls, drawn: Drawn, solutions: Iterable[InstantSolution]) -> Found | None:
         """The motion of the scene that is drawn, by the solution of that scene; None: none was worked out."""
-        led = next((s.trial.system.motion for s in solutions if s.instant.scene is drawn.scene), None)
-        return cls(drawn, led) if led is not None else None
+        system = next((s.trial.system for s in solutions if s.instant.scene is drawn.scene), None)
+        return cls(drawn, system.motion, system.pushes) if system is not None and system.motion is not None else None
+
+    def pressed(self, joint: str) -> Sequence[tuple[Spot, Spot]]:
+        normal = [p for p in self.pushes if p.joint == joint and p.kind == "normal"]
+        acting = [a for p in normal for a in p.actions if a.body != GROUND and a.force is not None]
+        told = ((self.drawn.spot(a.point), self.drawn.spot(a.force)) for a in acting if a.force is not None)
+        return [(at, way) for at, way in told if at is not None and way is not None]
 
     def vector(self, word: str, name: str) -> Spot | None:
         scene = self.drawn.scene
@@ -73,6 +84,9 @@ class Told:
     """Those that the file itself gives."""
 
     drawn: Drawn
+
+    def pressed(self, joint: str) -> Sequence[tuple[Spot, Spot]]:
+        return ()
 
     def vector(self, word: str, name: str) -> Spot | None:
         parts = {g.part: g for g in _given(self.drawn.scene.problem) if (g.word, g.name) == (word, name)}

@@ -70,9 +70,9 @@ def sketch_of(drawn: Drawn, entry: Entry) -> tuple[Sketch, ...]:
 
 
 def pivot_of(drawn: Drawn, body: str) -> Spot | None:
-    """Where a body turns about a fixed pin; None: it does not."""
+    """Where a body turns about a fixed pin all the time; None: it does not."""
     for joint in drawn.scene.problem.joints:
-        for sketch in sketch_of(drawn, joint):
+        for sketch in sketch_of(drawn, joint) if joint.during is None else ():
             if isinstance(sketch, Hinge) and sketch.grounded and body in sketch.bodies:
                 return drawn.spot(sketch.at)
     return None

@@ -40,7 +40,10 @@ def cord_marks(drawn: Drawn, sketch: Cord) -> Iterator[Mark]:
     size = extent_of(drawn.at_rest().everything()) or 1.0
     along = drawn.angle(sketch.along) if sketch.along is not None else None
     parallel = _parallel(drawn, sketch, told, along, OFF * size) if along is not None else None
-    stops = parallel or _with_wheels(told, WHEEL * size)
+    lies_flat = drawn.scene.problem.plane == "horizontal"
+    stops = parallel or _with_wheels(told, WHEEL * size, lies_flat)
+    # In a horizontal plane nothing hangs: there it runs round a peg or through a hole.
+    yield from (Symbol("ring", s.center) for s in stops[1:-1] if s.fixed and not s.radius and lies_flat)
     for i, wheel in enumerate(stops):
         if wheel.radius and not told[i].radius and not _is_disk(drawn, sketch.stops[i]):
             # A load that hangs on a rope is seen within its wheel.
@@ -105,14 +108,16 @@ def _upright(angle: float, step: float) -> float:
     return round(angle / step) * step
 
 
-def _with_wheels(stops: Sequence[Stop], radius: float) -> list[Stop]:
-    """Small wheels at the bare points at which a rope turns, on the inner side of its bend."""
+def _with_wheels(stops: Sequence[Stop], radius: float, lies_flat: bool) -> list[Stop]:
+    """Small wheels at the bare points at which a rope turns, on the inner side of its bend; not at fixed ones in a
+    scene that `lies_flat`.
+    """
     found = list(stops)
     for i, stop in enumerate(stops[1:-1], 1):
         a, b = stops[i - 1].center, stops[i + 1].center
         bend, reach = turn(a, stop.center, b), math.dist(a, stop.center) * math.dist(stop.center, b)
         straight_on = abs(bend) < STRAIGHT * reach and math.dist(a, b) > max(math.dist(a, stop.center), 1e-9)
-        if stop.radius or stop.rim is not None or reach < 1e-12 or straight_on:
+        if stop.radius or stop.rim is not None or reach < 1e-12 or straight_on or (stop.fixed and lies_flat):
             continue
         small = min(radius, math.dist(a, stop.center) / 3, math.dist(stop.center, b) / 3)
         found[i] = replace(stop, radius=small, side=1 if bend >= 0 else -1)

@@ -23,6 +23,8 @@ REACH = math.radians(65)
 """A circle is drawn so far on either side of what touches it."""
 ROUND = math.radians(140)
 """One that goes farther on either side is drawn whole."""
+FOOT = 3.0
+"""As steep as this, at most, a curve is drawn from where its formula begins."""
 NEAR, PAST = 0.02, 0.1
 """What is as near to a line or circle in parts of the size of the scene, or of the radius, touches it; so much of what
 is drawn of a line may touch it behind the corner at which it ends.
@@ -151,7 +153,12 @@ def _curve(drawn: Drawn, surface: Surface, shape: Curve, touching: Sequence[Spot
     seen = [_seen(p, origin, turn) for p in touching] or [(0.0, 0.0)]
     if shape.kind == "y":
         ways = [p[0] for p in seen]
-        low, high = min(ways) - BEYOND * size, max(ways) + BEYOND * size
+        foot = _at(drawn, place, x, 0.0)
+        if foot is not None and abs(foot[1] - seen[0][1]) < FOOT * abs(ways[0]) and len(set(ways)) == 1:
+            # Of one place the curve is seen from where its formula begins.
+            ways.append(0.0)
+        beyond = BEYOND * max(size, max(ways) - min(ways))
+        low, high = min(ways) - beyond, max(ways) + beyond
     else:
         ways = [math.atan2(p[1], p[0]) for p in seen]
         low, high = min(ways) - REACH, max(ways) + REACH

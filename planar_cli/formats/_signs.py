@@ -13,6 +13,8 @@ BLOCK = 26.0
 HIDDEN, BREAK = "gap", "break"
 """What hides a line between the two strokes of a break, and these."""
 CORNERS = ((-0.5, 0.0), (0.5, 0.0), (0.5, 0.8), (-0.5, 0.8))
+WALL = (0.25, 1.35)
+"""From where to where the walls beside a block go, in parts of its width."""
 SLIDER = (24.0, 14.0)
 HANGER = 24.0
 
@@ -32,14 +34,26 @@ def sign(mark: Symbol, at: Spot) -> Iterator[Piece]:
         case "particle":
             yield Disc(at, 5.0, "mass")
         case "block" | "later":
-            corners = tuple(moved(at, mark.angle, a * BLOCK, b * BLOCK) for a, b in CORNERS)
-            yield Stroke(corners, LATER if mark.kind == "later" else "body area", True)
+            yield Stroke(_block(at, mark.angle, mark.lean), LATER if mark.kind == "later" else "body area", True)
+        case "guides":
+            for side in (1, -1):
+                wall = tuple(moved(at, mark.angle, a * BLOCK, side * (BLOCK / 2 + 2)) for a in WALL)
+                yield Stroke(wall, "ground")
+                yield from hatching(wall, -side)
         case "slider" | "rail":
             yield from _slider(at, mark.angle, mark.kind == "rail")
         case "weld":
             yield Stroke(tuple(moved(at, 0, a, b) for a, b in ((-4, -4), (4, -4), (4, 4), (-4, 4))), "mass area", True)
         case _:
             yield from _place(mark, at)
+
+
+def _block(at: Spot, angle: float, lean: float) -> tuple[Spot, ...]:
+    """The corners of a block on what lies along an angle, its sides turned by `lean` from upright on that."""
+    low = 0.5 / math.cos(lean)
+    feet = tuple(moved(at, angle, a * BLOCK) for a in (-low, low))
+    (_, _), (_, _), *top = CORNERS
+    return (*feet, *(moved(at, angle + lean, a * BLOCK, b * BLOCK) for a, b in top))
 
 
 def _place(mark: Symbol, at: Spot) -> Iterator[Piece]:

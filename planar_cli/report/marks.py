@@ -50,6 +50,7 @@ SymbolKind = Literal[
     "break",
     "ring",
     "later",
+    "guides",
 ]
 
 
@@ -133,7 +134,8 @@ class Symbol:
     stands on what lies along `angle`, a mass centre, a slider that lies along `angle`, the same on a fixed rail, a
     weld, a piece of wall behind the end of something that goes on along `angle`, what holds a wheel from there, the
     plate at the end of a spring that goes on along `angle`, where coordinates are measured from, the place where a
-    particle is later, a break in what is too long to be drawn, along `angle`, a point on a bar, where a block is later.
+    particle is later, a break in what is too long to be drawn, along `angle`, a point on a bar, where a block is later,
+    fixed walls on both sides of a block that slides along `angle`.
     """
 
     kind: SymbolKind
@@ -141,6 +143,8 @@ class Symbol:
     angle: float = 0.0
     aside: float = 0.0
     """So far to the left of the place, as seen along `angle`, it is on paper, px."""
+    lean: float = 0.0
+    """By so much the sides of a block are turned from upright on what it stands on."""
 
 
 @record
