@@ -13,11 +13,13 @@ from dataclasses import replace
 
 from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.rings import off, way_of
-from planar_cli.figures.vector_sums import Sum, Term, vector_sums
+from planar_cli.figures.vector_sums import vector_sums
+from planar_cli.figures.vector_terms import Sum, Term
 from planar_cli.figures.vector_values import Closed, Values
 from planar_cli.report.blocks import Block, Inline, Line, Math, Name, Text, line
 from planar_cli.report.marks import Figure, Mark, Panel, Span, Spot, Style, Symbol, Tag
 from planar_cli.solve.between.trace import MotionTrace
+from planar_cli.solve.instant.worked import unknowns_of
 from planar_cli.solve.solution import InstantSolution
 
 STYLES: dict[str, Style] = {"v": "velocity", "a": "acceleration"}
@@ -38,7 +40,16 @@ ON = 1e-6
 
 def polygons(blocks: Sequence[Block], instant: InstantSolution) -> list[Figure]:
     """The polygons of the vector equations among some blocks, of velocities and of accelerations."""
-    return _figures(closed_sums(blocks, instant))
+    return _figures(closed_sums(blocks, _with_all_numbers(instant)))
+
+
+def _with_all_numbers(instant: InstantSolution) -> InstantSolution:
+    """Also with those that the page has no need of: α of a body whose equation is taken across it."""
+    if not instant.trial.outcomes:
+        return instant
+    numbers = unknowns_of(instant.trial.system, instant.trial.outcomes[0])
+    value = instant.value.extended({s: x for s, x in numbers.items() if instant.value.known(s) is None})
+    return replace(instant, value=value)
 
 
 def _figures(found: Sequence[Closed]) -> list[Figure]:
@@ -49,29 +60,40 @@ def _figures(found: Sequence[Closed]) -> list[Figure]:
 def polygons_of_states(
     page: Sequence[Block], step: Sequence[Block], motion: MotionTrace, state: str = ""
 ) -> Iterator[Figure]:
-    """The polygons of the vector equations of a step in a state of a motion that it tells; "": those of velocities in
-    all its states, side by side to one scale. `page`: with the equations above, on which these may rest.
+    """The polygons of the vector equations of a step in a state of a motion that it tells, or in the one that has no
+    name; "": those in all its states, side by side to one scale, of accelerations where something moves along what
+    turns. `page`: with the equations above, on which these may rest.
     """
+    alone = bool(state) or motion.states == ("",)
+    sums = vector_sums(step)
+    moving = any(t.kind == "doubled" or t.name == "coriolis" for s in sums for t in s.terms)
+    own = {repr(s): s.letter for s in sums if alone or moving or s.letter == "v"}
+    if not any(len(s.terms) > 1 and repr(s) in own for s in sums):
+        return
+    names = [s for s in motion.states if s == state or not state]
+    if alone:
+        yield from next((f for name in names for c in _closed_in(page, own, motion, name) if (f := _figures(c))), [])
+        return
+    for letter in dict.fromkeys(own.values()):
+        found = list[Panel]()
+        for name in names:
+            words = f" in state {name.replace('_', ' ')}"
+            made = (_panel(c, letter, words) for c in _closed_in(page, own, motion, name))
+            panel = next((p for p in made if p is not None), None)
+            # What stays as it was is drawn once.
+            found += [panel] if panel is not None and all(not _alike(panel, p) for p in found) else []
+        if found:
+            yield _figure(found, letter)
+
+
+def _closed_in(page: Sequence[Block], own: Collection[str], motion: MotionTrace, state: str) -> Iterator[list[Closed]]:
+    """The sums in a state, by each of the regimes that begin or end there."""
     # Few pages have them.
     from planar_cli.report.at_state import placed
 
-    own = {repr(s) for s in vector_sums(step) if state or s.letter == "v"}
-    if not any(len(s.terms) > 1 and repr(s) in own for s in vector_sums(step)):
-        return
-    found = list[Panel]()
-    for name in motion.states if not state else [s for s in motion.states if s == state]:
-        regimes = (r for r in motion.regimes if any(name in stretch for stretch in r.stretches))
-        sums = ([*_of(own, closed_sums(page, placed(r.solution, motion, name)))] for r in regimes)
-        if state:
-            made = next((figures for s in sums if (figures := _figures(s))), [])
-            yield from made
-            continue
-        words = f" in state {name.replace('_', ' ')}"
-        panel = next((p for s in sums if (p := _panel(s, "v", words)) is not None), None)
-        # What stays as it was is drawn once.
-        found += [panel] if panel is not None and all(not _alike(panel, p) for p in found) else []
-    if found:
-        yield _figure(found, "v")
+    for regime in motion.regimes:
+        if any(state in stretch for stretch in regime.stretches):
+            yield [*_of(own, closed_sums(page, placed(regime.solution, motion, state)))]
 
 
 def _of(own: Collection[str], sums: Sequence[Closed]) -> Iterator[Closed]:

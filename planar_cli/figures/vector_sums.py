@@ -4,17 +4,16 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from typing import Literal
 
 import sympy as sp
 
-from planar_cli.records import record
+from planar_cli.figures.polar_sums import polar_sums
+from planar_cli.figures.vector_terms import Kind, Sum, Term
 from planar_cli.report.blocks import Block, Equation, Inline, Line, Math, Name, Paragraph, Text
 
 VECTOR = re.compile(r"(?P<letter>[va])_(?P<index>[^\s′²_]+)(?P<prime>′?)(?:_vec)?")
 ARM = re.compile(r"r_(?P<end>[^\s/]+)/(?P<start>[^\s/]+?)(?:_vec)?")
 UNIT = re.compile(r"[eun](?:_\w+)?")
-Kind = Literal["named", "cross", "square", "doubled", "along", "other"]
 SIGNS = {"+": 1, "-": -1}
 SHAPES: dict[str, Kind] = {
     "V": "named",
@@ -29,41 +28,11 @@ SHAPES: dict[str, Kind] = {
 """What a term is by the kinds of its pieces: V vector, U unit vector, R arm, M formula, X cross."""
 
 
-@record
-class Term:
-    """One vector of a sum. `named`: by its own name; `cross`: ω × r; `square`: ω² r; `doubled`: 2 ω × v_rel; `along`: a
-    size times a unit vector; `other`: what is only known by the rest of its equation.
-    """
-
-    kind: Kind
-    sign: int
-    words: Line
-    """As the page has it."""
-    name: str = ""
-    """Of the vector, also of the one in 2 ω × v_rel."""
-    rate: sp.Expr = sp.S.Zero
-    size: sp.Expr = sp.S.Zero
-    """By which a unit vector is multiplied."""
-    unit: str = ""
-    arm: tuple[str, str] = ("", "")
-    """The indices of its end and its start."""
-
-
-@record
-class Sum:
-    """A vector equation: its left side by name, and what it is the sum of."""
-
-    name: str
-    terms: tuple[Term, ...]
-
-    @property
-    def letter(self) -> str:
-        return self.name[0]
-
-
 def vector_sums(blocks: Sequence[Block]) -> list[Sum]:
-    """The vector equations of some blocks in their order, each once; also those in sentences."""
-    return list({repr(s): s for b in blocks for s in _sums(b)}.values())
+    """The vector equations of some blocks, each once: in polar coordinates, then others; also those in sentences."""
+    polar = polar_sums(blocks)
+    cartesian = (s for b in blocks for s in _sums(b) if s.name not in polar)
+    return list({repr(s): s for s in (*polar.values(), *cartesian)}.values())
 
 
 def _sums(block: Block) -> Iterator[Sum]:

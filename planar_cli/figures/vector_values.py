@@ -13,7 +13,8 @@ from planar_cli.equation.jets import Jet
 from planar_cli.equation.quantities import Quantities
 from planar_cli.errors import PlanarError
 from planar_cli.figures.drawn import Drawn
-from planar_cli.figures.vector_sums import VECTOR, Sum, Term
+from planar_cli.figures.vector_sums import VECTOR
+from planar_cli.figures.vector_terms import Sum, Term
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import with_article
 from planar_cli.records import record
@@ -24,6 +25,8 @@ from planar_cli.report.names import index_of
 CLOSED = 1e-9
 """How closely the vectors of an equation close, in parts of the largest one."""
 TANGENT = "e_t"
+RADIAL = ("radial", "outward", "inward")
+"""The parts of a motion in polar coordinates that lie along the line from the pole."""
 FIXED_TO = re.compile(r"(?P<place>\S+)′: the point fixed to (?P<body>.+) that coincides with ")
 
 
@@ -107,6 +110,8 @@ class Values:
                 found = self._doubled(t)
             case "along":
                 found = self._along(t)
+            case "polar":
+                found = self._polar(t)
             case _:
                 found = None
         return None if found is None else (t.sign * found[0], t.sign * found[1])
@@ -131,6 +136,31 @@ class Values:
         if size == 0:
             return (0.0, 0.0)
         return None if size is None or unit is None else (size * unit[0], size * unit[1])
+
+    def _polar(self, t: Term) -> Spot | None:
+        """A part of the motion of a place about a pole, along the line between them or across it."""
+        (place, pole), letter = t.arm, t.letter
+        arm = self._arm(place, pole)
+        rates = [self._named(f"v_{place}"), self._own(f"v_{pole}")]
+        if arm is None or None in rates or not any(arm):
+            return None
+        r = math.hypot(*arm)
+        (x, y), (vx, vy), (ox, oy) = (arm[0] / r, arm[1] / r), *(v for v in rates if v is not None)
+        out, across = (vx - ox) * x + (vy - oy) * y, (vy - oy) * x - (vx - ox) * y
+        if letter == "a":
+            own, other = self._named(f"a_{place}"), self._own(f"a_{pole}")
+            if own is None or other is None:
+                return None
+            turned, coriolis = across * across / r, 2 * out * across / r
+            out, across = (
+                (own[0] - other[0]) * x + (own[1] - other[1]) * y,
+                (own[1] - other[1]) * x - (own[0] - other[0]) * y,
+            )
+            parts = {"outward": out + turned, "inward": -turned, "speeding": across - coriolis, "coriolis": coriolis}
+        else:
+            parts = {}
+        size = {**parts, "radial": out, "across": across}[t.name]
+        return (size * x, size * y) if t.name in RADIAL else (-size * y, size * x)
 
     def _arm(self, end: str, start: str) -> Spot | None:
         one, other = self._place(end), self._place(start)
