@@ -51,6 +51,13 @@ def test_what_announces_stays_with_what_it_announces(above: int, tmp_path: Path)
     assert together(("found", "checked by hand"), made)
 
 
+@pytest.mark.parametrize("above", [31, 33, 35])
+def test_a_list_stays_with_the_words_before_it(above: int, tmp_path: Path) -> None:
+    filling = tuple(doc.Paragraph(doc.line(f"line {k}")) for k in range(above))
+    given = (doc.Paragraph(doc.line("Given: much")), *(doc.Bullet(doc.line(f"asked {k}")) for k in range(4)))
+    assert together(("Given", "asked 0", "asked 3"), pages((*filling, *given), tmp_path))
+
+
 @pytest.mark.parametrize("above", [30, 31, 32, 33, 34, 35])
 def test_an_answer_stays_with_its_check(above: int, tmp_path: Path) -> None:
     made = pages((*(doc.Paragraph(doc.line(f"line {k}")) for k in range(above)), *END), tmp_path)

@@ -69,7 +69,7 @@ figcaption{flex-basis:100%;font-size:.92rem}
 display:block;font-size:.92rem}.panels{flex-direction:column}figcaption{flex-basis:auto}}
 @media print{body{max-width:none;padding:0;font-size:10.5pt}summary{list-style:none}details{margin-top:.6rem}
 details::details-content{content-visibility:visible}figure,table,tr,.answer,.equation{break-inside:avoid}
-summary,.title,.case,.part,.lead,.forces,p:has(+.forces),.answer:has(+.foot){break-after:avoid}
+summary,.title,.case,.part,.lead,.forces,p:has(+.forces),p:has(+ul),.answer:has(+.foot){break-after:avoid}
 figure{margin:.3rem 0}figure svg{zoom:.8}
 .equation,table,figure{overflow:visible}table{display:table}}
 @page{margin:16mm 18mm}

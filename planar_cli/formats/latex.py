@@ -65,8 +65,11 @@ PREAMBLE = rf"""\documentclass[11pt,a4paper]{{article}}
   \unskip\nobreak\hfill\penalty50\hskip1em\null\nobreak\hfill\hbox{{#2}}\par}}\smallskip}}
 \newcommand{{\planaranswer}}[1]{{\par\medskip
   \fbox{{\begin{{minipage}}{{\dimexpr\linewidth-2\fboxsep-2\fboxrule\relax}}\everymath{{\displaystyle}}#1\end{{minipage}}}}\par\nopagebreak\medskip}}
-\newcommand{{\planarlist}}[1]{{{{\topsep=2pt\partopsep=0pt\parskip=0pt
+% A list stays with what announces it, and is torn only where a page could end nowhere else.
+\makeatletter
+\newcommand{{\planarlist}}[1]{{{{\@beginparpenalty=10000\@itempenalty=500\topsep=2pt\partopsep=0pt\parskip=0pt
   \begin{{itemize}}\setlength{{\itemsep}}{{2pt}}\setlength{{\parskip}}{{0pt}}#1\end{{itemize}}}}}}
+\makeatother
 \setlength{{\parindent}}{{0pt}}
 \setlength{{\parskip}}{{0.4\baselineskip}}
 \setlength{{\emergencystretch}}{{4em}}
