@@ -113,3 +113,10 @@ def test_words_of_a_file_do_nothing(tmp_path: Path) -> None:
         assert cli.run(["simulate", str(path), kind, str(target)]) == 0
         made = target.read_text(encoding="utf-8")
         assert "<script" not in made
+
+
+def test_ropes_of_one_direction_stay_parallel() -> None:
+    shots = [marks for thing in film_of("load-on-four-strands").things for marks in thing.shots]
+    ropes = [m.places for marks in shots for m in marks if isinstance(m, Polyline) and m.style == "rope"]
+    assert len(ropes) > 5
+    assert all(abs(start[0] - end[0]) < 1e-6 for start, end in ropes)

@@ -14,6 +14,7 @@ from planar_cli.figures.drawn import named_body
 from planar_cli.figures.joints_drawn import sketch_marks
 from planar_cli.figures.outlines import edges, lying
 from planar_cli.figures.over_time import reached
+from planar_cli.figures.parallel import moving_beside, parallel
 from planar_cli.figures.partners import is_slot, partners, sketch_of, sliders, touching
 from planar_cli.figures.posed import Posed, variables_of
 from planar_cli.figures.rings import extent_of, side_of, way_of
@@ -78,10 +79,13 @@ class _Stage:
         self.run, self.times, self.problem = run, times, run.problem
         layout = run.model.layout
         self.poses: list[Posed] = []
+        at_first = Posed(run.model.scene, variables_of(layout, times[0], run.trajectory.at(times[0])))
+        beside = parallel(at_first, run.problem.joints)
+        self.scene = moving_beside(run.model.scene, beside)
         for t in times:
             run.measures.wind(t)
             first = self.poses[0] if self.poses else None
-            self.poses.append(Posed(run.model.scene, variables_of(layout, t, run.trajectory.at(t)), first))
+            self.poses.append(Posed(self.scene, variables_of(layout, t, run.trajectory.at(t)), first, beside))
         every = max(1, len(times) // STROBED)
         self.strobed = self.poses[::every]
         centers = [s for p in self.strobed for s in self._centers(p)]
@@ -96,7 +100,7 @@ class _Stage:
     def things(self) -> Iterator[Thing]:
         """Surfaces, bodies, what joins and moves them, points with their names."""
         first_pose, models = self.poses[0], [self.poses[0].model(b) for b in self.problem.bodies]
-        lie = {n: (first_pose.spot(self.run.model.scene.center(n)), a) for n, a in lying(first_pose).items()}
+        lie = {n: (first_pose.spot(self.scene.center(n)), a) for n, a in lying(first_pose).items()}
         standing = {n: Symbol("block", spot, angle) for n, (spot, angle) in lie.items() if spot is not None}
         shaped = frozenset[str]().union(*(edges(first_pose, model) for model in models))
         for surface in self.problem.surfaces:
@@ -153,7 +157,7 @@ class _Stage:
 
     def _curve(self, surface: Surface, shape: Curve, spots: Sequence[Spot], bodies: Sequence[Spot]) -> list[Mark]:
         """A curve, along the part of its variable that is passed."""
-        scene, first = self.run.model.scene, self.poses[0]
+        scene, first = self.scene, self.poses[0]
         formula, origin = formula_of(scene, shape), self._origin(surface)
         own = [origin.seen(first.pose(surface.body).there(s)) for s in spots] or [(0.0, 0.0)]
         ways = [x if shape.kind == "y" else _turned(formula, x, y) for x, y in own]
@@ -178,7 +182,7 @@ class _Stage:
 
     def _origin(self, surface: Surface) -> Pose:
         """The axes in which a curve is drawn, where its carrier is now."""
-        first, scene = self.poses[0], self.run.model.scene
+        first, scene = self.poses[0], self.scene
         zero = scene.graph.number(0.0)
         at = first.spot(scene.carried_from(surface.body or "", Vec(zero, zero))) or (0.0, 0.0)
         return Pose(at, first.number(scene.turned_by(surface.body or "")) or 0.0)
@@ -214,7 +218,7 @@ class _Stage:
 
     def _points(self) -> Iterator[Thing]:
         """The named points, and the bodies that are not called by them."""
-        problem, scene = self.problem, self.run.model.scene
+        problem, scene = self.problem, self.scene
         named = [p.name for p in problem.points if not p.unnamed and p.name not in problem.hidden]
         for name in named:
             spots = [pose.spot(scene.point(name)) for pose in self.poses]

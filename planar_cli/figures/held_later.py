@@ -15,7 +15,7 @@ from planar_cli.figures.shapes import moved
 from planar_cli.figures.springs import LANE, Strut
 from planar_cli.joints.base import Joint
 from planar_cli.problem.sketches import Absorber, Bar, Cord, Spiral
-from planar_cli.report.marks import Arc, Mark, Polyline, Spot
+from planar_cli.report.marks import Arc, Mark, Polyline, Spot, Symbol
 
 WAVES, SWING = 3, 0.05
 """A slack rope hangs in so many waves, and so far to the side in parts of its length."""
@@ -87,10 +87,17 @@ def _rounded(spot: Spot) -> Spot:
 
 
 def slack_marks(drawn: Drawn, joints: Sequence[Joint]) -> Iterator[Mark]:
-    """Ropes of the file (`joints`) that do not hold in a position, as it is before they become taut: in waves."""
+    """Of ropes and rods of the file (`joints`) that do not hold in a position yet: ropes in waves, as they are before
+    they become taut, and the nails on which rods will turn.
+    """
     holding = {joint.name for joint in drawn.scene.problem.joints}
     for joint in joints:
         for sketch in sketch_of(drawn, joint) if joint.name not in holding else ():
+            if isinstance(sketch, Bar):
+                ends = (
+                    (drawn.spot(end), held) for end, held in zip((sketch.start, sketch.end), sketch.fixed, strict=True)
+                )
+                yield from (Symbol("pin", at) for at, held in ends if held and at is not None)
             marks = sketch_marks(drawn, sketch, ()) if isinstance(sketch, Cord) else ()
             for mark in marks:
                 if isinstance(mark, Polyline) and mark.style == "rope":

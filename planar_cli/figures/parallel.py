@@ -18,11 +18,14 @@ from planar_cli.figures.drawn import AS_WRITTEN, Beside, Drawn
 from planar_cli.figures.partners import sketch_of
 from planar_cli.figures.rings import extent_of
 from planar_cli.joints.base import Joint
+from planar_cli.motion.carried import Place
+from planar_cli.motion.scene import MovingScene
 from planar_cli.problem.entry import Entry
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND, Line, Round
 from planar_cli.problem.sketches import Cord, Slide
 from planar_cli.records import record
+from planar_cli.report.marks import Spot
 
 FIRM, ALIKE, SHEAVE = 1e4, 2.0, 0.1
 """How much more than to move a body it costs to bend a rope; to have pulleys of unlike sizes; to have one of several
@@ -57,6 +60,11 @@ class _Rope:
 
 def with_parallel_ropes(drawn: Drawn, joints: Sequence[Joint]) -> Drawn:
     """The scene with what hangs on such ropes drawn beside its place. `joints`: those of the whole file."""
+    return drawn_beside(drawn, parallel(drawn, joints))
+
+
+def parallel(drawn: Drawn, joints: Sequence[Joint]) -> Beside:
+    """By how much what hangs on such ropes is drawn beside its place."""
     ropes = [rope for joint in joints if (rope := _rope(drawn, joint)) is not None]
     beside = AS_WRITTEN
     for across in sorted({r.across for r in ropes}):
@@ -70,7 +78,7 @@ def with_parallel_ropes(drawn: Drawn, joints: Sequence[Joint]) -> Drawn:
             moves = {name: (m * way[0], m * way[1]) for name, m in found[0].items() if abs(m) > NEAR * size}
             sheaves = {name: (m * way[0], m * way[1]) for name, m in found[1].items()}
             beside = Beside({**beside.moves, **moves}, {**beside.sheaves, **sheaves})
-    return drawn_beside(drawn, beside)
+    return beside
 
 
 def drawn_beside(drawn: Drawn, beside: Beside) -> Drawn:
@@ -84,6 +92,22 @@ def drawn_beside(drawn: Drawn, beside: Beside) -> Drawn:
     scene.points = {n: p + by[k] if (k := keys[n]) in by else p for n, p in scene.points.items()}
     scene.bodies = {n: replace(b, center=b.center + by[n]) if n in by else b for n, b in scene.bodies.items()}
     return Drawn(scene, drawn.value, drawn.here, beside)
+
+
+def moving_beside(scene: MovingScene, beside: Beside) -> MovingScene:
+    """A scene that moves with bodies and fixed points so far beside their places."""
+    if not beside.moves:
+        return scene
+    found, names = copy(scene), [p.name for p in scene.problem.points if scene.owner(p.name) == GROUND]
+    fixed = {n: scene.point(n) + Vec(*map(scene.graph.number, beside.moves[n])) for n in names if n in beside.moves}
+    found.places = {n: _moved(scene, place, beside.moves.get(n)) for n, place in scene.places.items()}
+    # What goes with bodies is told anew by their places.
+    found._points = {**{n: scene.point(n) for n in names}, **fixed}
+    return found
+
+
+def _moved(scene: MovingScene, place: Place, by: Spot | None) -> Place:
+    return place if by is None else replace(place, x=place.x + by[0], y=place.y + by[1])
 
 
 def _rope(drawn: Drawn, joint: Joint) -> _Rope | None:
@@ -117,12 +141,12 @@ def _side(aside: Sequence[float], i: int) -> int:
 
 
 def _radius(drawn: Drawn, owner: str) -> float | None:
-    body = drawn.scene.bodies.get(owner)
+    body = drawn.body(owner)
     return drawn.length(body.shape.radius) if body is not None and isinstance(body.shape, Round) else None
 
 
 def _is_fixed(drawn: Drawn, owner: str) -> bool:
-    return owner not in drawn.scene.bodies
+    return drawn.body(owner) is None
 
 
 def _held(drawn: Drawn, entries: Sequence[Entry], ropes: set[str], across: float) -> set[str]:

@@ -10,7 +10,7 @@ import sympy as sp
 
 from planar_cli.equation.bodies import BodyModel
 from planar_cli.figures.carried import Pose
-from planar_cli.figures.drawn import AS_WRITTEN, Drawn
+from planar_cli.figures.drawn import AS_WRITTEN, Beside, Drawn
 from planar_cli.integrators.base import OUTSIDE
 from planar_cli.motion.scene import MovingScene
 from planar_cli.motion.terms import Term, ordered
@@ -25,14 +25,22 @@ class Posed(Drawn):
     _numbers: dict[Term, float]
     _first: Posed | None
 
-    def __init__(self, moving: MovingScene, variables: dict[Term, float], first: Posed | None = None) -> None:
-        """`variables`: the coordinates, their rates and the time; `first`: the position in which the motion begins."""
+    def __init__(
+        self,
+        moving: MovingScene,
+        variables: dict[Term, float],
+        first: Posed | None = None,
+        beside: Beside = AS_WRITTEN,
+    ) -> None:
+        """`variables`: the coordinates, their rates and the time; `first`: the position in which the motion begins;
+        `beside`: what in the scene is not where the file has it.
+        """
         object.__setattr__(self, "_first", first)
         object.__setattr__(self, "moving", moving)
         # What draws asks it for points, directions and lengths, as it does a scene of formulas.
         object.__setattr__(self, "scene", moving)
         object.__setattr__(self, "_numbers", dict(variables))
-        object.__setattr__(self, "beside", AS_WRITTEN)
+        object.__setattr__(self, "beside", beside)
 
     def number(self, expr: Any) -> float | None:
         """A term as a number; None: it has none here."""

@@ -15,7 +15,7 @@ from planar_cli.errors import PlanarError
 from planar_cli.figures.carried import Pose, carried, shifted
 from planar_cli.figures.drawn import TINY, Drawn
 from planar_cli.figures.held_later import held_marks
-from planar_cli.figures.parallel import drawn_beside
+from planar_cli.figures.parallel import drawn_beside, moving_beside
 from planar_cli.figures.partners import between, sketch_of
 from planar_cli.figures.paths import followed_path, path_of
 from planar_cli.figures.posed import Posed, variables_of
@@ -135,8 +135,8 @@ def followed_positions(drawn: Drawn, run: Run) -> list[Later]:
         turns = {n: t[0] for n in drawn.scene.bodies if (t := _asked(run, "theta", n, moment))}
         if not state or spots.keys() != first.spots.keys():
             continue
-        posed = Posed(run.model.scene, variables_of(run.model.layout, moment.t, moment.y))
-        pose = None if drawn.beside.moves else posed
+        scene = moving_beside(run.model.scene, drawn.beside)
+        pose = Posed(scene, variables_of(run.model.layout, moment.t, moment.y), beside=drawn.beside)
         new = Later((state,), drawn, spots, {**first.angles, **turns}, first=first, pose=pose)
         _put(found, new, NEAR * max(size, _reach(new, first)))
     return found
