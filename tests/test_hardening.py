@@ -98,6 +98,8 @@ PRINTING = (
     "list FILE",
     "validate FILE",
     "explain rope",
+    "schema",
+    "solve FILE --format html",
     "draw FILE -o FOLDER",
     "draw FILE --format text",
 )

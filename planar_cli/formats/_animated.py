@@ -67,7 +67,8 @@ def animated(film: Film, look: Look = "own") -> str:
     tracks, labels = _tracks(film, scale)
     places = [spot for t in tracks for s in t.known for spot in along(s, 40.0)]
     field = box_of(places) or Box(0.0, 0.0, 1.0, 1.0)
-    texts = with_labels(Paper(tuple(t.known[0] for t in tracks), tuple(label.words for label in labels))).placed
+    first = Paper(tuple(t.known[0] for t in tracks), tuple(label.words for label in labels))
+    texts = with_labels(first, led=False).placed
     for placed, label in zip(texts, labels, strict=True):
         for at in label.anchors:
             dx, dy = at[0] - placed.words.anchor[0], at[1] - placed.words.anchor[1]

@@ -23,6 +23,8 @@ CLASH, COVERS, EACH, AWAY, TURNED, OUTSIDE, CROSSES, TOUCHES = 1e6, 200.0, 1.0, 
 best angle; to stand outside a gap that is left for it; each pixel of a stroke that the line to its place crosses; to be
 so near to another label that the two are read as one.
 """
+NEAR_COVERS, NEAR_EACH = 8.0, 0.3
+"""What it costs words that no line leads to, to cover strokes, and each pixel of them."""
 EACH_CELL, BEYOND = 5.0, 300.0
 """What it costs to cover something in a cell of letters; to stand where no room is for letters."""
 SPACE = 5.0
@@ -31,10 +33,12 @@ LED, SPARE = 15.0, 2.5
 """Words farther away than this have a line to their place, px; so much of it is left out at either end."""
 
 
-def with_labels(paper: Paper) -> Paper:
-    """The paper with its words at their places, and with the lines that lead from them."""
+def with_labels(paper: Paper, led: bool = True) -> Paper:
+    """The paper with its words at their places, and with the lines that lead from them. `led`: there may be such lines;
+    what moves has none, so that its words stay near it and rather cover a stroke.
+    """
     seen = [s for s in paper.strokes if s.kind != "grid"]
-    found = _set(paper.words, _Ground(Ink(spot for s in seen for spot in along(s, 1.0))))
+    found = _set(paper.words, _Ground(Ink(spot for s in seen for spot in along(s, 1.0)), led=led))
     leaders = (Stroke(c.leader, "leader") for c in found if c.leader)
     placed = tuple(Placed(words, c.box) for words, c in zip(paper.words, found, strict=True))
     return Paper((*paper.strokes, *leaders), paper.words, placed)
@@ -44,20 +48,24 @@ def in_cells(words: Sequence[Words], taken: Iterable[Spot], cell: Spot, sides: S
     """Where words stand whose letters fill cells. `taken`: places in cells with something else, the oftener the more
     it matters; `sides`: nothing is to stand to the left of the first, or to the right of the second.
     """
-    return [c.box for c in _set(words, _Ground(Ink(taken), cell, sides))]
+    return [c.box for c in _set(words, _Ground(Ink(taken), cell=cell, sides=sides))]
 
 
 @record
 class _Ground:
-    """What words stand on: pixels, each stroke with many, and lines lead to them; or cells, where few are free."""
+    """What words stand on: pixels, each stroke with many; or cells, where few are free. `led`: lines lead to them."""
 
     ink: Ink
+    led: bool = False
     cell: Spot = (0.0, 0.0)
     sides: Spot = (-math.inf, math.inf)
 
     def covers(self, pixels: int) -> float:
         """What it costs to stand on so many."""
-        return 0.0 if not pixels else EACH_CELL * pixels if self.cell[0] else COVERS + EACH * pixels
+        if self.cell[0]:
+            return EACH_CELL * pixels
+        first, each = (COVERS, EACH) if self.led else (NEAR_COVERS, NEAR_EACH)
+        return first + each * pixels if pixels else 0.0
 
     def box(self, box: Box) -> Box:
         """Where words stand that ought to stand in a box."""
@@ -70,7 +78,7 @@ class _Ground:
 
     def leader(self, anchor: Spot, box: Box) -> tuple[Spot, ...]:
         """The line that leads to words, if one does."""
-        return () if self.cell[0] else _leader(anchor, box)
+        return _leader(anchor, box) if self.led else ()
 
     def beyond(self, box: Box) -> float:
         """What it costs to stand so far to the left or right."""
