@@ -20,7 +20,16 @@ from planar_cli.figures.outlines import edges
 from planar_cli.figures.parallel import with_parallel_ropes
 from planar_cli.figures.partners import between, is_slot, partners, sketch_of, sliders, touching
 from planar_cli.figures.paths import course_of, curve_of
-from planar_cli.figures.positions import Later, brought_near, followed_positions, position_marks, positions, slid_to
+from planar_cli.figures.positions import (
+    Later,
+    asked_places,
+    brought_near,
+    followed_positions,
+    position_marks,
+    positions,
+    positions_of_instants,
+    slid_to,
+)
 from planar_cli.figures.rings import extent_of, way_of
 from planar_cli.figures.shapes import body_marks
 from planar_cli.figures.side_by_side import BOX, POINT, side_by_side
@@ -47,12 +56,13 @@ from planar_cli.report.marks import (
     Turn,
     spots_of,
 )
-from planar_cli.solve.between.trace import MotionTrace
-from planar_cli.solve.solution import InstantSolution
+from planar_cli.solve.solved_problem import PartSolution
 
 if TYPE_CHECKING:
     from planar_cli.simulate.run import Run
 
+MORE = 2
+"""Positions that are drawn in one figure."""
 ON = 1e-6
 """What is so near to a bar, in parts of its length, is on it."""
 PRESSED = 0.1
@@ -61,16 +71,11 @@ ALONE = 1.0
 """The size of a scene that is one point, m."""
 
 
-def arrangement(
-    instant: InstantSolution,
-    motion: MotionTrace | None = None,
-    run: Run | None = None,
-    whole: Mapping[str, tuple[Spot, ...]] | None = None,
-) -> Panel:
-    """The scene of an instant where the file draws it; of a motion where it begins, and where its bodies are later.
-
-    `run`: the motion as it was followed, which tells ways that no formula tells; `whole`: the paths that are asked for.
+def arrangement(part: PartSolution, whole: Mapping[str, tuple[Spot, ...]]) -> Panel:
+    """The scene of a part where the file draws its first instant; of a motion where it begins; and where its bodies are
+    in later states. `whole`: the paths that are asked for.
     """
+    instant, motion = part.instants[0], part.motion
     drawn = Drawn.as_in_the_file(instant)
     problem, states = drawn.scene.problem, [s.name for s in drawn.scene.problem.states]
     if motion is not None:
@@ -78,21 +83,23 @@ def arrangement(
         drawn = Drawn.in_state(motion, (states or motion.states)[0]) or drawn
     regimes = motion.regimes if motion is not None else ()
     moving = Found.of(drawn, (*(r.solution for r in regimes), instant))
-    drawn = with_parallel_ropes(drawn, (motion.problem if motion is not None else problem).joints)
+    joints = (motion.problem if motion is not None else problem).joints
+    drawn = with_parallel_ropes(drawn, joints)
     moving = replace(moving, drawn=drawn) if moving is not None else None
-    if motion is None or not states:
+    timed = motion is not None and states
+    places = positions(drawn, motion, states) if motion and timed else positions_of_instants(drawn, part.instants)
+    if len(places) < MORE and not timed:
         bodies = drawn.scene.bodies
         particles = [name for name, body in bodies.items() if isinstance(body.shape, Particle)]
-        asked = whole or {}
-        curves = [asked.get(name) or curve_of(drawn, name) or course_of(drawn, name) for name in particles]
+        curves = [whole.get(name) or curve_of(drawn, name) or course_of(drawn, name) for name in particles]
         ways = [Polyline(curve, "way") for curve in curves if len(curve) > 1]
         marks = tuple(_marks(drawn, moving, problem.joints))
         return _panel((*marks, *ways, *_pole(drawn, marks, ways)))
-    joints = motion.problem.joints
     size = extent_of([s for m in _marks(drawn, moving, joints) for s in spots_of(m)])
-    places = brought_near(positions(drawn, motion, states), size)
+    places = brought_near(places, size)
     marks = tuple(_marks(drawn, moving, joints, places[1:]))
-    return _panel((*marks, *position_marks(places, motion, run, marks), *state_measures(places, problem)))
+    later = (*position_marks(places, motion, part.run, marks), *asked_places(places, problem))
+    return _panel((*marks, *later, *state_measures(places, problem)))
 
 
 def arranged(drawn: Drawn) -> Panel:

@@ -6,15 +6,14 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from itertools import takewhile
 
-from planar_cli.figures.arrangement import arrangement, followed_arrangement
-from planar_cli.figures.asked_curves import curve_figures, whole_paths
-from planar_cli.figures.broken import scene
+from planar_cli.figures.asked_curves import curve_figures
 from planar_cli.figures.centres import Centres
 from planar_cli.figures.courses import course_figures
 from planar_cli.figures.diagrams import diagram
 from planar_cli.figures.followed import motion_figure
 from planar_cli.figures.particle_vectors import vector_figures
 from planar_cli.figures.polygons import polygons, polygons_of_states
+from planar_cli.figures.scenes import Scenes
 from planar_cli.report.blocks import (
     Answer,
     Block,
@@ -28,7 +27,7 @@ from planar_cli.report.blocks import (
     Table,
 )
 from planar_cli.report.graphs import Curve, Graph
-from planar_cli.report.marks import Axes, Figure
+from planar_cli.report.marks import Figure
 from planar_cli.report.mentioned import names_in
 from planar_cli.report.read_off import INTEGRATED, UNIFORM_MOTION
 from planar_cli.solve.solved_problem import Solution
@@ -54,7 +53,8 @@ def _drawn_once(blocks: Iterable[Block]) -> Iterator[Block]:
 
 
 def _blocks(document: Document, solution: Solution) -> Iterator[Block]:
-    first = _arrangement(solution)
+    scenes = Scenes(solution)
+    first = scenes.first
     instants = {
         part.case.replace("_", " "): part.instants for part in solution.parts if not part.motion and part.instants
     }
@@ -85,6 +85,8 @@ def _blocks(document: Document, solution: Solution) -> Iterator[Block]:
                 instant = next((i for i in case if i.state == block.text), instant)
         step.append(block)
         yield block
+        if isinstance(block, Heading) and block.label == CASE:
+            yield from map(Drawing, scenes.of_case(block.text))
         below = document.blocks[place + 1 :]
         if isinstance(block, Forces) and (figure := diagram(block, below, solution)) is not None:
             yield Drawing(figure)
@@ -176,23 +178,6 @@ class _Graphs:
             return None
         self.integrated = False
         return motion_figure(self.waiting.pop(0))
-
-
-def _arrangement(solution: Solution) -> Figure | None:
-    """The scene of the file, by the first part of it that is worked out at an instant, or else in numbers; None: none
-    is, or the file does not draw it.
-    """
-    for part in solution.parts:
-        panel = (
-            arrangement(part.instants[0], part.motion, part.run, whole_paths(part))
-            if part.instants
-            else followed_arrangement(part.followed.run)
-            if part.followed is not None
-            else None
-        )
-        if panel is not None and not all(isinstance(m, Axes) for m in panel.marks):
-            return scene(panel, solution.problem.title)
-    return None
 
 
 def figures_of(document: Document) -> Iterator[tuple[str, Figure]]:

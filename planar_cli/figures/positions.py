@@ -24,12 +24,13 @@ from planar_cli.figures.shapes import body_marks
 from planar_cli.figures.ways import in_shape, lower_by, lowered, round_a_tie
 from planar_cli.problem.entry import Entry
 from planar_cli.problem.expression import Quantity
-from planar_cli.problem.scene import GROUND, Line, Round
+from planar_cli.problem.scene import GROUND, Line, Problem, Round
 from planar_cli.problem.sketches import Sketch, Slide
 from planar_cli.records import record
-from planar_cli.report.blocks import line
+from planar_cli.report.blocks import Name, line
 from planar_cli.report.marks import Arc, Mark, Polyline, Spot, Symbol, Tag, spots_of
 from planar_cli.solve.between.trace import MotionTrace
+from planar_cli.solve.solution import InstantSolution
 
 if TYPE_CHECKING:
     from planar_cli.simulate.measures import Moment
@@ -42,6 +43,8 @@ ASIDE = 0.5
 NEAR = 0.03
 """As near to another one in parts of the size, a position is the same."""
 NOWHERE: Spot = (0.0, 0.0)
+MOVING = ("r", "x", "y", "v", "a")
+"""What is asked of a point."""
 JOINED = ", "
 """Between the names of states in one position."""
 
@@ -95,10 +98,22 @@ class Later:
 
 def positions(drawn: Drawn, motion: MotionTrace, states: Sequence[str]) -> list[Later]:
     """The different positions of a motion, that of the drawing first, each with the names of its states."""
-    found: list[Later] = []
     told = [(s, there) for s in states if (there := Drawn.in_state(motion, s)) is not None]
     told = [(s, drawn_beside(there, drawn.beside)) for s, there in told]
-    all_ = [_later((), drawn), *(_later((state,), there) for state, there in told)]
+    return _different(drawn, [_later((), drawn), *(_later((state,), there) for state, there in told)])
+
+
+def positions_of_instants(drawn: Drawn, instants: Sequence[InstantSolution]) -> list[Later]:
+    """The same of states with no motion in between, of which the first one is drawn."""
+    told = [(i.state, Drawn.as_in_the_file(i)) for i in instants[1:]]
+    told = [(s, drawn_beside(there, drawn.beside)) for s, there in told if there.is_placed]
+    own = tuple(i.state for i in instants[:1])
+    return _different(drawn, [_later(own, drawn), *(_later((state,), there) for state, there in told)])
+
+
+def _different(drawn: Drawn, all_: Sequence[Later | None]) -> list[Later]:
+    """Those of some positions that are not the same as another one."""
+    found: list[Later] = []
     spots = [s for p in all_ if p is not None for s in p.spots.values()]
     near = NEAR * max(extent_of(spots), max((_own(drawn, n) for n in drawn.scene.bodies), default=0.0))
     for new in all_:
@@ -228,6 +243,25 @@ def position_marks(
             yield from held_marks(p.held, places[0].held, between)
         for name in _apart(p, seen, places) if p.words else ():
             yield Tag(p.at(name), line(p.words))
+
+
+def asked_places(places: Sequence[Later], problem: Problem) -> Iterator[Mark]:
+    """Points of round bodies that have turned, where something of them is asked for later: nothing else shows it."""
+    told = set[tuple[str, Spot]]()
+    for find in problem.find:
+        asked = find.found.what
+        if not isinstance(asked, Quantity) or asked.word not in MOVING or not asked.things:
+            continue
+        name, p = asked.things[0], next((p for p in places[1:] if asked.at in p.states), None)
+        if p is None or p.first is not None or name not in p.there.scene.points or any(p.shift):
+            continue
+        owner, spot = p.there.scene.owner(name), p.there.spot(p.there.scene.points[name])
+        if owner not in p.there.scene.bodies or spot is None or math.dist(spot, p.at(owner)) < TINY:
+            continue
+        if p.is_round(owner) and (name, spot) not in told:
+            told.add((name, spot))
+            yield Symbol("place", spot)
+            yield Tag(spot, line(Name(f"{name}__{asked.at}")))
 
 
 def _lies(p: Later, name: str, angle: float) -> float:
