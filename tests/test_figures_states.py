@@ -219,10 +219,11 @@ def test_the_instant_of_a_motion_in_time_is_drawn_at_its_time_with_the_way_to_it
 
 
 def test_a_way_by_coordinates_that_are_formulas_of_the_time() -> None:
-    """x = 3 t, y = 4 t - t²/2 as far as t = 2 s."""
+    """x = 3 t, y = 4 t - t²/2, where P is at t = 2 s; the path that is asked for goes on beyond it."""
     (way,) = (m.places for m in marks_of("parabola-in-time") if isinstance(m, Polyline) and m.style == "way")
-    assert way[len(way) // 2] == pytest.approx((3, 3.5))
-    assert way[-1] == pytest.approx((6, 6))
+    assert way[0] == pytest.approx((0, 0))
+    assert way[len(way) // 2] == pytest.approx((6, 6))
+    assert way[-1] == pytest.approx((12, 8))
 
 
 def test_a_bob_goes_round_the_nail_on_the_circle_of_the_short_cord() -> None:
