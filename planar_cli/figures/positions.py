@@ -100,7 +100,8 @@ def positions(drawn: Drawn, motion: MotionTrace, states: Sequence[str]) -> list[
     """The different positions of a motion, that of the drawing first, each with the names of its states."""
     told = [(s, there) for s in states if (there := Drawn.in_state(motion, s)) is not None]
     told = [(s, drawn_beside(there, drawn.beside)) for s, there in told]
-    return _different(drawn, [_later((), drawn), *(_later((state,), there) for state, there in told)])
+    places = [_later((), drawn), *(_later((state,), there) for state, there in told)]
+    return _bent(_different(drawn, places), motion)
 
 
 def positions_of_instants(drawn: Drawn, instants: Sequence[InstantSolution]) -> list[Later]:
@@ -119,7 +120,7 @@ def _different(drawn: Drawn, all_: Sequence[Later | None]) -> list[Later]:
     for new in all_:
         if new is not None:
             _put(found, new, near)
-    return _bent(found, motion)
+    return found
 
 
 def _bent(places: list[Later], motion: MotionTrace) -> list[Later]:
