@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 
 import pytest
+from conftest import PROBLEMS
+from worked import worked
 
 from planar_cli.errors import Mark
 from planar_cli.figures.drawn import brief, named_body
@@ -13,7 +15,7 @@ from planar_cli.formats._paper import runs_of
 from planar_cli.problem.parser import parse_side
 from planar_cli.problem.structure import load_text
 from planar_cli.report import marks as drawn_marks
-from planar_cli.report.marks import Angle, Coil, Dashpot, Dimension, Polyline
+from planar_cli.report.marks import Angle, Coil, Dashpot, Dimension, Polyline, Symbol
 from planar_cli.report.narrate import narrate
 from planar_cli.solve.run import solve_problem
 
@@ -23,6 +25,12 @@ def scene(text: str) -> tuple[drawn_marks.Mark, ...]:
     problem, wrong = load_text(text, "x.yaml")
     assert problem is not None, wrong
     solution = solve_problem(problem)
+    return dict(figures_of(illustrated(narrate(solution), solution)))["scene"].panels[0].marks
+
+
+def scene_of(name: str) -> tuple[drawn_marks.Mark, ...]:
+    """The marks of the scene of a problem file."""
+    solution = worked(next(p for p in PROBLEMS if p.match(f"{name}.yaml")))[0]
     return dict(figures_of(illustrated(narrate(solution), solution)))["scene"].panels[0].marks
 
 
@@ -151,3 +159,22 @@ find: {a: a(wedge).x}
 def test_long_sums_and_what_begins_with_a_minus_measure_nothing(written: str, shown: str) -> None:
     side = parse_side(written, Mark("x", 1, 1))
     assert "".join(run.text for run in runs_of(brief(side))) == shown
+
+
+def blocks(name: str) -> list[Symbol]:
+    return [m for m in scene_of(name) if isinstance(m, Symbol) and m.kind == "block"]
+
+
+@pytest.mark.parametrize(("name", "count"), [("motion/atwood-let-go", 2), ("particles/moving-pulley", 2)])
+def test_loads_on_ropes_over_pulleys_are_blocks_that_hang(name: str, count: int) -> None:
+    found = blocks(name)
+    assert len(found) == count
+    assert all(math.cos(block.angle) == pytest.approx(-1.0) for block in found)
+
+
+def test_a_bob_on_a_thread_is_no_block() -> None:
+    assert not blocks("energy/bob-on-a-thread-that-goes-slack")
+
+
+def test_a_guide_along_the_rope_of_a_load_is_not_drawn() -> None:
+    assert len(blocks("kinematics/three-blocks-on-one-cable")) == 3

@@ -188,7 +188,7 @@ def test_ropes_of_one_direction_are_drawn_parallel(name: str) -> None:
     ropes = [m.places for m in marks if isinstance(m, Polyline) and m.style == "rope"]
     assert len(ropes) > 2
     assert all(abs(a[0] - b[0]) < 1e-3 * math.dist(a, b) for a, b in ropes)
-    spots = [m.at for m in marks if isinstance(m, Symbol) and m.kind in ("particle", "slider", "wall")]
+    spots = [m.at for m in marks if isinstance(m, Symbol) and m.kind in ("particle", "block", "slider", "wall")]
     radii = [(m.center, m.radius) for m in marks if isinstance(m, Arc)]
     for end in (s for rope in ropes for s in rope):
         held = any(math.dist(end, s) < 1e-6 for s in spots)

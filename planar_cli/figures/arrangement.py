@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -12,6 +12,7 @@ from planar_cli.figures.carried import shifted
 from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.floors import blocks_on_faces
 from planar_cli.figures.given_motion import Found, Moving, Told, arrows_apart, given_motion_marks
+from planar_cli.figures.hanging import hanging, hangs_along
 from planar_cli.figures.held_later import slack_marks
 from planar_cli.figures.joints_drawn import sketch_marks
 from planar_cli.figures.measures import measure_marks
@@ -159,27 +160,27 @@ def _marks(drawn: Drawn, moving: Moving | None, joints: Sequence[Joint], later: 
                 on_it = [name for name in sliders(problem, surface) if name in masses]
                 standing |= {name: Symbol("block", masses[name], along) for name in on_it}
     aside = side_by_side(drawn, moving, joints, extent_of([*points.values(), *centers]))
+    hung = {n: block for n, block in hanging(drawn).items() if n not in standing}
     sketched = [
         shifted(m, aside.get(getattr(entry, "body", ""), (0.0, 0.0)))
         for entry in (*problem.joints, *problem.loads)
         for s in sketch_of(drawn, entry)
+        if not hangs_along(drawn, s, hung)
         for m in sketch_marks(drawn, s, line(entry.name), slid_to(later, entry, s))
     ]
     sliding = {m.at for m in sketched if isinstance(m, Symbol) and m.kind in ("slider", "rail", "block")}
     for name, body in scene.bodies.items():
         for mark in body_marks(drawn, body):
             here = shifted(mark, aside.get(name, (0.0, 0.0)))
-            if isinstance(here, Symbol) and here.at in sliding:
+            if isinstance(here, Symbol) and (here.at in sliding or name in hung):
                 continue
             yield standing.get(name, here) if isinstance(here, Symbol) else here
-    yield from (*inner, *sketched, *frame_marks(drawn))
+    yield from (*inner, *sketched, *hung.values(), *frame_marks(drawn))
     yield from slack_marks(drawn, joints)
-    written = (p.name for p in problem.points if not p.unnamed and p.name not in problem.hidden)
-    shown = {name: points[name] for name in written if name in points}
+    written = [p for p in problem.points if not p.unnamed and p.name not in problem.hidden]
+    shown = {p.name: points[p.name] for p in written if p.name in points}
     bars = [m for n in scene.bodies.values() for m in body_marks(drawn, n) if isinstance(m, Polyline) and not m.closed]
-    pinned = {m.at for m in sketched if isinstance(m, Symbol)}
-    rings = {s for s in shown.values() if s not in pinned and any(_is_on(s, bar) for bar in bars)}
-    yield from (Symbol("ring" if s in rings else "point", s) for s in shown.values())
+    yield from _points(shown.values(), bars, sketched)
     tagged = {**shown, **_particles(drawn, problem, shown)}
     tagged |= {name: (tagged[name][0] + x, tagged[name][1] + y) for name, (x, y) in aside.items() if name in tagged}
     measures = [*measure_marks(drawn, problem, tagged, edges_of)]
@@ -203,6 +204,14 @@ def _pressed(
         for (x, y), (u, v) in moving.pressed(joint.name):
             reach = PRESSED * size / (math.hypot(u, v) or 1.0)
             yield x + reach * u, y + reach * v
+
+
+def _points(spots: Iterable[Spot], bars: Sequence[Polyline], sketched: Sequence[Mark]) -> Iterator[Mark]:
+    """The points of a scene: on a bar each is a ring, where nothing else is drawn."""
+    pinned = {m.at for m in sketched if isinstance(m, Symbol)}
+    for spot in spots:
+        bare = spot not in pinned and any(_is_on(spot, bar) for bar in bars)
+        yield Symbol("ring" if bare else "point", spot)
 
 
 def _origin(measures: Sequence[Mark], tagged: dict[str, Spot]) -> Iterator[Mark]:

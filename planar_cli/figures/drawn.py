@@ -171,8 +171,12 @@ def size_of(side: Side, value: float | None = None) -> Line:
     """A quantity as the size of what is drawn on its own side, or turns its own way: a negative θ as -θ, a negative -x
     as x. `value`: what it is there [SI]; None: nothing tells it, and a minus sign before it stands for the side.
     """
+    return words_of(_sized(side, value))
+
+
+def _sized(side: Side, value: float | None) -> Side:
     negative = value < 0 if value is not None else isinstance(side, Negate) or _number(side) < 0
-    return words_of(_opposite(side) if negative else side)
+    return _opposite(side) if negative else side
 
 
 def _number(side: Side) -> float:
@@ -186,9 +190,11 @@ def _opposite(side: Side) -> Side:
             return inner
         case Number(value=value, unit=unit, sense=sense, mark=mark):
             return Number(abs(value), unit, 1, mark) if value * sense < 0 else Number(-value, unit, sense, mark)
+        case Binary(operator="-", left=left, right=right, mark=mark) if not _begins_with_minus(left):
+            return Binary("-", right, left, mark)
         case Binary(operator="+" | "-" as sign, left=left, right=right, mark=mark):
             return Binary("-" if sign == "+" else "+", _opposite(left), right, mark)
-        case Binary(operator="*" | "/" as sign, left=Negate() | Number() as left, right=right, mark=mark):
+        case Binary(operator="*" | "/" as sign, left=Negate() | Number() | Binary() as left, right=right, mark=mark):
             return Binary(sign, _opposite(left), right, mark)
         case _:
             return Negate(side, side.mark)
@@ -198,12 +204,16 @@ def brief(side: Side, value: float | None = None) -> Line:
     """The same, where it can stand beside what it measures: no sum of more than two terms, nor one that begins with a
     minus.
     """
-    signs = sum(isinstance(node, Binary) and node.operator in "+-" for node in walk(side))
-    first = side
-    while isinstance(first, Binary):
-        first = first.left
-    minus = first is not side and (isinstance(first, Negate) or (isinstance(first, Number) and first.value < 0))
-    return () if signs >= TERMS or minus else size_of(side, value)
+    shown = _sized(side, value)
+    signs = sum(isinstance(node, Binary) and node.operator in "+-" for node in walk(shown))
+    minus = isinstance(shown, Binary) and _begins_with_minus(shown)
+    return () if signs >= TERMS or minus else words_of(shown)
+
+
+def _begins_with_minus(side: Side) -> bool:
+    while isinstance(side, Binary):
+        side = side.left
+    return isinstance(side, Negate) or _number(side) < 0
 
 
 def named_body(body: str) -> Line:

@@ -8,6 +8,7 @@ from dataclasses import replace
 from itertools import pairwise
 
 from planar_cli.figures.drawn import Drawn
+from planar_cli.figures.hanging import in_its_loop
 from planar_cli.figures.rings import extent_of, moved_by, turn
 from planar_cli.figures.shapes import moved
 from planar_cli.problem.scene import Round
@@ -50,6 +51,8 @@ def cord_marks(drawn: Drawn, sketch: Cord) -> Iterator[Mark]:
             yield Arc(wheel.center, wheel.radius, "body" if wheel.fixed else "thin")
             if wheel.fixed:
                 yield from _hung(wheel, _hangs(told, i, along if parallel else None), parallel is not None)
+            else:
+                yield from in_its_loop(drawn, sketch, i, wheel.radius)
         if wheel.center != told[i].center:
             yield Polyline((told[i].center, wheel.center), "body")
     parts = [straight(a, b) for a, b in pairwise(stops) if (a.rim or a.center) != (b.rim or b.center)]
