@@ -30,4 +30,4 @@ def test_a_line_through_the_point_by_the_numbers_of_the_file(tmp_path: Path) -> 
 
 def test_a_guide_presses_the_way_it_acts() -> None:
     """The pin pulls the block to the left, which has no acceleration that way: the guide pushes it to the right."""
-    assert "N_block →, A_x ←" in page_of_file("ex-4-16")
+    assert "N_block → at A" in page_of_file("ex-4-16")

@@ -14,7 +14,7 @@ from worked import page_of_file
         "Accelerations at 2, θ = 0: By (2), (3), ω_BC = -ω_AB at all times",
         "a⃗_B = α_AB × r⃗_B/A - ω_AB² r⃗_B/A = [-l ω_AB², l α_AB] r⃗_B/A = [l, 0]",
         "(4) α_BC = -α_AB",
-        "free-body diagram = kinetic diagram At 2, θ = 0: AB: m g ↓ at G_AB",
+        "free-body diagram = kinetic diagram At 2, θ = 0: BC: m g ↓ at G_BC",
         "1/2 m l α_AB ↑ at G_AB, 1/2 m l ω_AB² ← at G_AB",
         "(6) ↺ ΣM_A: 2 N_C l - 2 m g l = 1/2 m l α_AB · l/2 + 1/2 m l α_AB · 3 l/2",
         "(5) in (6): α_AB = -3 g/(2 l)",

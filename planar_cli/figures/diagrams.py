@@ -100,11 +100,10 @@ def _vectors(listed: Line) -> Iterator[_Vector]:
 
 
 def _panel(drawn: Drawn, row: Forces, vectors: Sequence[_Vector], style: Style, head: str) -> Panel:
-    (body, *others) = (drawn.scene.bodies[name] for name in row.body.split(", "))
-    marks: list[Mark] = [slim(m) for b in (body, *others) for m in body_marks(drawn, b)]
-    center = drawn.spot(body.center)
-    if body.rigid and center is not None:
-        marks.append(Symbol("centre", center))
+    bodies = [drawn.scene.bodies[name] for name in row.body.split(", ")]
+    marks: list[Mark] = [slim(m) for b in bodies for m in body_marks(drawn, b)]
+    centers = [(spot, b.rigid) for b in bodies if (spot := drawn.spot(b.center)) is not None]
+    marks += [Symbol("centre", spot) for spot, rigid in centers if rigid]
     tags: dict[str, Spot] = {}
     areas = [m.places for m in marks if isinstance(m, Polyline) and m.closed]
     for vector in vectors:
@@ -113,6 +112,7 @@ def _panel(drawn: Drawn, row: Forces, vectors: Sequence[_Vector], style: Style, 
             continue
         if (named := _AT.search(vector.told)) is not None:
             tags[named[1]] = at
+        center = min((c for c, _ in centers), key=lambda c: math.dist(c, at), default=None)
         made = list(_mark(drawn, vector, at, center, style))
         if named is None and at != center:
             near = NOT_NEEDED in vector.told
@@ -121,7 +121,7 @@ def _panel(drawn: Drawn, row: Forces, vectors: Sequence[_Vector], style: Style, 
             p.name: spot for p in vector.where if isinstance(p, Name) and (spot := drawn.named(p.name)) is not None
         }
         marks += (*made, *_distance(vector, made, tags))
-    marks += [Symbol("point", at) for at in tags.values() if at != center]
+    marks += [Symbol("point", at) for at in tags.values() if at not in (c for c, _ in centers)]
     marks += [Tag(at, line(Name(name))) for name, at in tags.items()]
     return Panel(tuple(in_lanes(marks)), line(head))
 

@@ -11,16 +11,20 @@ from planar_cli.report.marks import Arrow, Mark
 
 LANE = 11.0
 """So far apart they are on paper, px."""
+CLOSE, NEAR = 0.12, 1e-9
+"""Ways that differ by no more than this angle lie over each other, from places that are no farther apart, m."""
 
 
 def in_lanes(marks: Sequence[Mark]) -> list[Mark]:
     """The marks of one diagram; those that are alike, such as both strands, stand on both sides of the others."""
-    groups: dict[tuple[float, ...], list[int]] = {}
+    groups: list[list[int]] = []
     for i, mark in enumerate(marks):
         if isinstance(mark, Arrow):
-            groups.setdefault(_ray(mark), []).append(i)
+            own = next((g for g in groups if isinstance(m := marks[g[0]], Arrow) and _are_one_line(m, mark)), None)
+            groups += [[]] if own is None else []
+            (groups[-1] if own is None else own).append(i)
     found = list(marks)
-    for group in groups.values():
+    for group in groups:
         arrows = {i: m for i in group if isinstance(m := marks[i], Arrow)}
         for lane, i in enumerate(_ordered(arrows)):
             aside = LANE * (lane - (len(group) - 1) / 2)
@@ -28,10 +32,15 @@ def in_lanes(marks: Sequence[Mark]) -> list[Mark]:
     return found
 
 
-def _ray(arrow: Arrow) -> tuple[float, ...]:
-    """On which side of which place it is drawn."""
-    way = arrow.angle + (math.pi if arrow.inward else 0.0)
-    return round(arrow.at[0], 9), round(arrow.at[1], 9), round(math.cos(way), 3), round(math.sin(way), 3)
+def _are_one_line(one: Arrow, other: Arrow) -> bool:
+    """Are both drawn on the same side of the same place?"""
+    apart = math.remainder(_way(one) - _way(other), 2 * math.pi)
+    return abs(apart) < CLOSE and math.dist(one.at, other.at) < NEAR
+
+
+def _way(arrow: Arrow) -> float:
+    """On which side of its place it is drawn."""
+    return arrow.angle + (math.pi if arrow.inward else 0.0)
 
 
 def _ordered(arrows: dict[int, Arrow]) -> Iterator[int]:

@@ -49,10 +49,15 @@ def with_centres(drawn: Drawn, row: Forces, below: Sequence[Block], panels: Sequ
 
 
 def _centres(row: Forces, below: Sequence[Block]) -> list[MomentCentre]:
-    step = takewhile(lambda b: not isinstance(b, Heading), below)
-    found = (c for b in step if isinstance(b, Paragraph) for c in _told(b))
-    own = set(row.body.split(", "))
-    return list({c.name: c for c in found if own & set(c.way.bodies)}.values())
+    step = list(takewhile(lambda b: not isinstance(b, Heading), below))
+    found = [c for b in step if isinstance(b, Paragraph) for c in _told(b)]
+    own, groups = _bodies(row), [_bodies(b) for b in step if isinstance(b, Forces)]
+    # Moments of a group are read off its own diagram, where it has one.
+    return list({c.name: c for c in found if own <= set(c.way.bodies) not in groups}.values())
+
+
+def _bodies(row: Forces) -> set[str]:
+    return set(row.body.split(", "))
 
 
 def _told(block: Paragraph) -> Iterator[MomentCentre]:

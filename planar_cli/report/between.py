@@ -32,7 +32,7 @@ from planar_cli.report.momenta import MomentumTelling, in_its_sense
 from planar_cli.report.moments_of_blows import Named, with_letters
 from planar_cli.report.negligible import FiniteForces
 from planar_cli.report.nil_impulses import nil_beside
-from planar_cli.report.one_body import struck_together
+from planar_cli.report.one_body import NOTHING, struck_together
 from planar_cli.report.put_in import put_in
 from planar_cli.report.reciprocals import with_reciprocals
 from planar_cli.report.same_heights import with_same_heights
@@ -93,6 +93,8 @@ class BetweenTelling:
     """The states before blows of which one equation tells all, which changes nothing."""
     by_rule: Collection[str] = ()
     """The states before blows of which only the law of restitution is used: they need no diagram."""
+    balanced: Mapping[str, Sequence[tuple[str, ...]]] = field(default_factory=dict)
+    """By the state before a blow, the groups of bodies of its balances."""
     finite: FiniteForces | None = None
     """The finite forces whose impulses are negligible."""
     named: Named | None = None
@@ -257,18 +259,17 @@ class BetweenTelling:
         if impact.since in self.told or solution is None or impact.since in self.by_rule:
             return
         self.told.add(impact.since)
-        scene = solution.instant.scene
         rows, nil = self._rows(impact, solution)
         finite = self.finite.beside(impact.since, solution, nil, rows) if self.finite else ()
         yield Paragraph(line(f"Just after {impact.since}: momentum before + impulses = momentum after", *finite, "."))
         if impact.impacts > 1:
             yield Paragraph(line(f"{impact.impacts} impacts at once, {AT_ONCE}"))
         yield from said_of_modes(solution)
-        for letter, side in impulse_letters(scene.problem).values():
+        for letter, side in impulse_letters(solution.instant.scene.problem).values():
             if not isinstance(side, Number) and (written := said(side, self.phrases.figures)):
-                symbol = scene.ledger.symbols[letter]
+                symbol = solution.instant.scene.ledger.symbols[letter]
                 yield Equation((self.phrases.math(symbol), written, self.phrases.shown(symbol)))
-        yield from struck_together(rows, solution, impact.since)
+        yield from struck_together(rows, solution, impact.since, self.balanced.get(impact.since, ()))
 
     def _rows(self, impact: Impact, solution: InstantSolution) -> tuple[list[Forces], set[sp.Symbol]]:
         """The diagrams of a blow, and the impulses that they do without."""
@@ -281,8 +282,7 @@ class BetweenTelling:
         nil = {symbol for symbol, since in self.nil if since == impact.since} | nil_beside(solution, stage, self.used)
         rows = force_rows(solution, stage, phrases, inertia_as_force=False, impulsive=True, nil=nil)
         rows = [by_given_letters(row, self.plain) for row in rows]
-        nothing = (Text("0"),)
-        return [replace(row, heads=BLOW) for row in rows if (row.left, row.right) != (nothing, nothing)], nil
+        return [replace(row, heads=BLOW) for row in rows if (row.left, row.right) != (NOTHING, NOTHING)], nil
 
     def _impact(self, e: ImpactEquation, number: int) -> Iterator[Block]:
         left, right = self._put(e.left), self._put(e.right)

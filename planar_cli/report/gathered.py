@@ -22,6 +22,7 @@ from planar_cli.report.words import Phrases
 OPPOSITE = {"↑": "↓", "→": "←", "↺": "↻"} | {"↓": "↑", "←": "→", "↻": "↺"}
 MOST, TIMES = 2, " · "
 """Of so few arrows each stays by itself."""
+TURNS = "↺↻"
 Known = Mapping[sp.Symbol, sp.Expr]
 
 
@@ -37,7 +38,7 @@ def gathered(blocks: Sequence[Block], known: Known, phrases: Phrases) -> list[Bl
 
 def _row(row: Forces, known: Known, phrases: Phrases) -> Forces:
     entries = _entries(row.right)
-    if entries is None or len([e for e in entries if e[1].text.strip()[:1] not in "↺↻"]) <= MOST:
+    if entries is None or len([e for e in entries if e[1].text.strip()[:1] not in TURNS]) <= MOST:
         return row
     found: list[tuple[sp.Expr, Text]] = []
     for size, arrow in ((expr.xreplace(dict(known)), arrow) for expr, arrow in entries):
@@ -64,6 +65,9 @@ def _sense(one: Text, other: Text) -> int:
     first, *rest = one.text.split()
     second, *others = other.text.split()
     if first not in OPPOSITE or rest != others:
+        return 0
+    # Of a group of bodies each has a couple of its own.
+    if first in TURNS and one.way is not None and other.way is not None and one.way.place != other.way.place:
         return 0
     return 1 if first == second else -1 if OPPOSITE[first] == second else 0
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 
 from planar_cli.problem.expression import Name, Negate, Quantity, Side
 from planar_cli.problem.keys import RopeStop, keys_of
@@ -43,6 +43,7 @@ def points_given(problem: Problem, page: Mentioned, figures: int) -> Iterator[Li
     used = page.words | joined | drawn
     idle = set() if page.kinetic else drawn - joined - page.words
     used -= set() if page.kinetic else _only_moving(problem, page)
+    used |= _origins(problem, used & page.words)
     turning = {p.name: d for p in problem.points if p.name in idle and (d := _direction(p, problem, page, figures))}
     places = [p for p in problem.points if p.name in used and p.name not in turning]
     drops = [
@@ -58,6 +59,16 @@ def points_given(problem: Problem, page: Mentioned, figures: int) -> Iterator[Li
     if owners or any(not (isinstance(p.place, At) and is_zero(p.place.x) and is_zero(p.place.y)) for p, _ in told):
         yield from (*turning.values(), *(line(*found, _owned(p, owners)) for p, found in told))
     yield from (line(f"{b.name} {ends}") for b in problem.bodies if (ends := _ends(b, page)))
+
+
+def _origins(problem: Problem, used: Collection[str]) -> set[str]:
+    """The points from which others are told that the page speaks of, which are told from others themselves."""
+    from_others = {p.name: p.place.origin for p in problem.points if isinstance(p.place, Polar)}
+    found: set[str] = set()
+    for point in reversed(problem.points):
+        if point.name in found or point.name in used:
+            found |= {from_others.get(point.name, "")} & from_others.keys()
+    return found
 
 
 def _ends(body: Body, page: Mentioned) -> str:

@@ -14,8 +14,8 @@ from planar_cli.equation.centres import centre_of
 from planar_cli.equation.plain import simplified
 from planar_cli.problem.geometry import Vec
 from planar_cli.report.actions import onward
-from planar_cli.report.blocks import Block, Equation, Forces, Line, Math, Name, Paragraph, Text
-from planar_cli.report.entries import BETWEEN
+from planar_cli.report.blocks import Block, Equation, Forces, Inline, Line, Math, Name, Paragraph, Text
+from planar_cli.report.entries import entries, listed
 from planar_cli.report.names import index_of
 from planar_cli.report.pointing import pointing
 from planar_cli.report.telling import Telling
@@ -132,13 +132,23 @@ def _arrow(way: Vec, phrases: Phrases) -> str:
 
 
 def _inertia(block: Forces, places: dict[sp.Symbol, sp.Expr], instant: InstantSolution, phrases: Phrases) -> Line:
-    """m a_G in its components, and the couple as it stands; empty: there is no such motion."""
-    model = instant.instant.scene.bodies[block.body]
-    at = next((p.text.partition(" at ")[2] for p in block.right if isinstance(p, Text) and " at " in p.text), "")
-    parts: list[Any] = []
-    for size, way in _components(block.body, places, instant, phrases):
+    """m a_G of each body in its components, and its couple as it stands; empty: there is no such motion."""
+    told = [list(_of_body(b, block, places, instant, phrases)) for b in block.body.split(", ")]
+    return listed([entry for own in told for entry in own]) if all(told) else ()
+
+
+def _of_body(
+    body: str, block: Forces, places: dict[sp.Symbol, sp.Expr], instant: InstantSolution, phrases: Phrases
+) -> Iterator[Line]:
+    model = instant.instant.scene.bodies[body]
+    here = [e for e in entries(block.right) if any(_is_there(p, model.center) for p in e)]
+    ends = (p.text.partition(" at ") for e in here for p in e if isinstance(p, Text))
+    at = next((" at " + place for _, _, place in ends if place), "")
+    for size, way in _components(body, places, instant, phrases):
         told = phrases.math(sp.Mul(model.mass, size, evaluate=False))
-        where = f" {_arrow(way, phrases)}{' at ' if at else ''}{at}"
-        parts += [BETWEEN] * bool(parts) + [told, pointing(phrases, where, model.center, way)]
-    couple = next((i for i, p in enumerate(block.right) if isinstance(p, Text) and p.text in (" ↺", " ↻")), 0)
-    return tuple([*parts, BETWEEN, *block.right[couple - 1 :]] if couple and parts else parts)
+        yield (told, pointing(phrases, f" {_arrow(way, phrases)}{at}", model.center, way))
+    yield from (e for e in here if e[-1] in (Text(" ↺"), Text(" ↻")))
+
+
+def _is_there(piece: Inline, center: Vec) -> bool:
+    return isinstance(piece, Text) and piece.way is not None and piece.way.place == center

@@ -17,6 +17,7 @@ from planar_cli.equation.one_body import inner_reactions
 from planar_cli.report.blocks import Forces, Line, Math, Text
 from planar_cli.report.entries import entries, listed
 from planar_cli.report.forces import force_rows
+from planar_cli.report.groups_drawn import with_groups
 from planar_cli.report.total_masses import with_totals
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.stages import Stage
@@ -26,15 +27,26 @@ NOTHING = (Text("0"),)
 
 
 def diagrams(instant: InstantSolution, stage: Stage, phrases: Phrases, inertia_as_force: bool) -> list[Forces]:
-    """The rows of the kinetic equations, with one for all particles that are one body in them."""
+    """The rows of the kinetic equations, with one for all particles that are one body in them, and one for each group
+    of bodies of which an equation is told.
+    """
     rows = force_rows(instant, stage, phrases, inertia_as_force)
-    return as_one_body(rows, instant, stage)
+    told = [w.bodies for block in stage.blocks for w in block.equations]
+    return with_groups(as_one_body(rows, instant, stage), instant, told)
 
 
-def struck_together(rows: list[Forces], struck: InstantSolution, since: str) -> list[Forces]:
-    """The diagrams of the blow after a state, with one for all particles that were one body before it."""
+def struck_together(
+    rows: list[Forces], struck: InstantSolution, since: str, balanced: Iterable[Sequence[str]]
+) -> list[Forces]:
+    """The diagrams of the blow after a state, with one for all particles that were one body before it, and one for each
+    group of bodies that are `balanced` together.
+    """
     names = [s.name for s in struck.instant.scene.problem.states]
-    return as_one_body(rows, struck, struck.stages[0], names[: names.index(since)] if since in names else [])
+    begun = names[: names.index(since)] if since in names else []
+    told = [tuple(bodies) for bodies in balanced]
+    # Of an impulse that one body has from another both are drawn.
+    told += [(b,) for bodies in told if any((own,) in told for own in bodies) for b in bodies]
+    return with_groups(as_one_body(rows, struck, struck.stages[0], begun), struck, told)
 
 
 def as_one_body(

@@ -141,7 +141,7 @@ class Telling:
             still = balance(self.system, last)
             blocks.append(self._step(EQUILIBRIUM if still else KINETICS, still or self.principle.diagram))
             rows = diagrams(self.instant, last, self.phrases, self.principle.inertia_as_force)
-            bodies = [b for row in rows for b in row.body.split(", ")]
+            bodies = list(dict.fromkeys(b for row in rows for b in row.body.split(", ")))
             blocks += [*(() if kinematics else legend), *rows]
             blocks += sentences(self.system, bodies, self.principle.inertia_as_force)
             blocks += self.definitions.lines(self._used(), "kg")

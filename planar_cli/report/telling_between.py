@@ -33,6 +33,7 @@ def telling_between(found: MotionTrace, phrases: Phrases, numeric: Phrases) -> B
         nil={(symbol, since) for symbol, since, _ in said_nil(found)},
         drawn=_drawn(found),
         by_rule=_by_rule(found),
+        balanced=_balanced(found),
         springs=spring_lengths(found),
         alone=told_alone(found),
         finite=FiniteForces(found.problem, found.states),
@@ -53,6 +54,16 @@ def _by_rule(found: MotionTrace) -> list[str]:
     balanced = {b.impact.since for b in blows if b.law != "relation" or b.impact.impacts > 1}
     balanced |= {p.since for span in found.spans for p in span.pieces if p.how == "blow"}
     return [since for since in dict.fromkeys(b.impact.since for b in blows) if since not in balanced]
+
+
+def _balanced(found: MotionTrace) -> dict[str, list[tuple[str, ...]]]:
+    """By the state before a blow, the groups of bodies whose momentum the route balances."""
+    balanced: dict[str, list[tuple[str, ...]]] = {}
+    for leg in found.route.steps:
+        for e in leg.relations:
+            if isinstance(e.source, ImpactEquation) and e.source.law != "relation":
+                balanced.setdefault(e.source.impact.since, []).append(e.source.bodies)
+    return balanced
 
 
 def _drawn(found: MotionTrace) -> dict[sp.Symbol, sp.Expr]:
