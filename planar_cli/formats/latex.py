@@ -65,10 +65,10 @@ PREAMBLE = rf"""\documentclass[11pt,a4paper]{{article}}
   \unskip\nobreak\hfill\penalty50\hskip1em\null\nobreak\hfill\hbox{{#2}}\par}}\smallskip}}
 \newcommand{{\planaranswer}}[1]{{\par\medskip
   \fbox{{\begin{{minipage}}{{\dimexpr\linewidth-2\fboxsep-2\fboxrule\relax}}\everymath{{\displaystyle}}#1\end{{minipage}}}}\par\nopagebreak\medskip}}
-% A list stays with what announces it, and is torn only where a page could end nowhere else.
+% A list, which stays with what announces it; how bad it is that a page ends between its entries.
 \makeatletter
-\newcommand{{\planarlist}}[1]{{{{\@beginparpenalty=10000\@itempenalty=500\topsep=2pt\partopsep=0pt\parskip=0pt
-  \begin{{itemize}}\setlength{{\itemsep}}{{2pt}}\setlength{{\parskip}}{{0pt}}#1\end{{itemize}}}}}}
+\newcommand{{\planarlist}}[2]{{{{\@beginparpenalty=10000\@itempenalty=#1\relax\topsep=2pt\partopsep=0pt\parskip=0pt
+  \begin{{itemize}}\setlength{{\itemsep}}{{2pt}}\setlength{{\parskip}}{{0pt}}#2\end{{itemize}}}}}}
 \makeatother
 \setlength{{\parindent}}{{0pt}}
 \setlength{{\parskip}}{{0.4\baselineskip}}
@@ -79,6 +79,8 @@ PREAMBLE = rf"""\documentclass[11pt,a4paper]{{article}}
 SIZES = (r"\LARGE", r"\Large", r"\large", r"\normalsize")
 WIDE = 76
 """So many letters fit side by side in a table."""
+SHORT, NEVER = 9, 10_000
+"""A list of so many entries is not torn."""
 HIGH = 25
 """So many rows fit on a page."""
 
@@ -180,8 +182,9 @@ def _marked(part: Text) -> str:
 
 
 def _listed(entries: Iterator[str]) -> str:
-    rows = "\n".join(rf"\item {entry}" for entry in entries)
-    return rf"\planarlist{{{rows}}}"
+    rows = [rf"\item {entry}" for entry in entries]
+    told = "\n".join(rows)
+    return rf"\planarlist{{{NEVER if len(rows) <= SHORT else 0}}}{{{told}}}"
 
 
 def _shown(told: Equation) -> str:
