@@ -15,6 +15,7 @@ from planar_cli.formats._paper import runs_of
 from planar_cli.formats._svg import papers_of
 from planar_cli.report.graphs import Graph
 from planar_cli.report.lines import Line
+from planar_cli.report.marks import Polyline, Symbol
 
 
 def courses(stem: str) -> list[Graph]:
@@ -76,3 +77,14 @@ def test_two_that_meet_share_their_graph() -> None:
 @pytest.mark.parametrize("stem", ["ex-1-11", "hoist-driven-by-a-belt", "boat-coasting"])
 def test_one_constant_acceleration_or_letters_have_no_graph(stem: str) -> None:
     assert courses(stem) == []
+
+
+@pytest.mark.parametrize(
+    "stem", ["shell-in-air-that-hits-after-three-seconds", "satellite-to-a-second-point-in-forty-minutes"]
+)
+def test_a_way_is_drawn_where_the_speed_was_found_by_trial(stem: str) -> None:
+    marks = dict(figures_of(illustrated_page(path_of(stem))))["scene"].panels[0].marks
+    (way,) = [m for m in marks if isinstance(m, Polyline) and m.style == "way"]
+    (end,) = [m.at for m in marks if isinstance(m, Symbol) and m.kind == "place"]
+    assert way.places[-1] == pytest.approx(end, rel=1e-5)
+    assert len(way.places) > 30

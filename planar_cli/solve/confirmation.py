@@ -142,7 +142,8 @@ def _confirmed(
     same = frozenset(s.name for s in seen if not s.why)
     begun = " from rest, where no velocity is told" if untold else ""
     words = f"motion followed{begun} by independent facts: {len(same)} of {len(found)} answers agree" if same else ""
-    return Confirmation(words, same, {s.name: s.why for s in seen if s.why})
+    followed = other.run if same and not problem.symbols else None
+    return Confirmation(words, same, {s.name: s.why for s in seen if s.why}, followed)
 
 
 def _from_rest(problem: Problem, settings: Settings, refused: FileProblem | NoSolution) -> Simulation | None:

@@ -196,7 +196,8 @@ def _confirmed(problem: Problem, part: PartSolution, earlier: Mapping[str, Earli
         return part
     from planar_cli.solve.confirmation import confirmation
 
-    return replace(part, confirmed=confirmation(problem, part, earlier))
+    confirmed = confirmation(problem, part, earlier)
+    return replace(part, confirmed=confirmed, run=part.run or confirmed.run)
 
 
 def _derived(problem: Problem, case: str, units: dict[str, str], earlier: dict[str, Earlier]) -> PartSolution:

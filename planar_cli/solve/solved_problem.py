@@ -28,6 +28,8 @@ class Confirmation:
     """Which finds agree; where one does not, there is no solution."""
     apart: Mapping[str, str] = field(default_factory=dict)
     """Why the others could not be compared, by their names."""
+    run: Run | None = None
+    """That motion, where no letter has a number that was drawn for it."""
 
 
 NOT_COMPARED = Confirmation()
@@ -48,7 +50,7 @@ class PartSolution:
     followed: Simulation | None = None
     confirmed: Confirmation = NOT_COMPARED
     run: Run | None = None
-    """The motion as it was followed from what the file tells, where that is all of it."""
+    """The motion as it was followed from what the file tells, or from what was found."""
 
     @property
     def clockwise(self) -> tuple[str, ...]:
