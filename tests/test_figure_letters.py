@@ -3,18 +3,22 @@
 from __future__ import annotations
 
 import math
+from decimal import Decimal
 
 import pytest
+import sympy as sp
 from conftest import PROBLEMS
 from worked import worked
 
 from planar_cli.errors import Mark
 from planar_cli.figures.drawn import brief, named_body
 from planar_cli.figures.illustrated import figures_of, illustrated
+from planar_cli.formats._alike import table_of
 from planar_cli.formats._paper import runs_of
 from planar_cli.problem.parser import parse_side
 from planar_cli.problem.structure import load_text
 from planar_cli.report import marks as drawn_marks
+from planar_cli.report.blocks import Forces, Line, Math, Name, Text, Value, line
 from planar_cli.report.marks import Angle, Coil, Dashpot, Dimension, Polyline, Symbol
 from planar_cli.report.narrate import narrate
 from planar_cli.solve.run import solve_problem
@@ -178,3 +182,27 @@ def test_a_bob_on_a_thread_is_no_block() -> None:
 
 def test_a_guide_along_the_rope_of_a_load_is_not_drawn() -> None:
     assert len(blocks("kinematics/three-blocks-on-one-cable")) == 3
+
+
+@pytest.mark.parametrize(
+    ("words", "indices"),
+    [
+        (line(Name("v0")), ["0"]),
+        (line(Name("v0_x")), ["0,x"]),
+        (line(Name("O1")), ["1"]),
+        (line(Name("v_B/A")), ["B/A"]),
+        (line(Math(sp.Symbol("m1") * sp.Symbol("v0") ** 2 / 2)), ["1", "0"]),
+        (line(Text("polygon in state 12")), []),
+        (line(Value(Decimal(30), "m/s^2", 3)), []),
+    ],
+)
+def test_digits_behind_a_letter_are_an_index(words: Line, indices: list[str]) -> None:
+    assert [run.text for run in runs_of(words) if run.index] == indices
+
+
+def test_points_of_a_list_of_forces_are_names() -> None:
+    row = Forces("gear_A", line(Math(sp.Symbol("N")), Text(" ↑ at G_AB, at O")), line("0"))
+    ((body, entries),) = table_of([row]).rows
+    assert body == (Text("gear A", "strong"),)
+    assert Name("G_AB") in entries
+    assert "".join(p.text for p in entries if isinstance(p, Text)) == " ↑ at , at O"

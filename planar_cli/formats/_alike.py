@@ -5,7 +5,8 @@ check.
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 from planar_cli.report.blocks import Answer, Check, Forces, Heading, Inline, Line, Name, Table, Text
 from planar_cli.report.lettered import lettered
@@ -15,6 +16,8 @@ NAMING = ("CASE", "STATE", "MOTION")
 DIAGRAMS = "free-body diagram = kinetic diagram"
 ANNOUNCING = ("Given", "Find", "Principle", "Assume", "Motion")
 """Notes that say what follows: they stay on one sheet with it."""
+INDEXED = re.compile(r"(?<!\w)[^\W\d_]+\d*(?:_\w+)+")
+"""The name of a point with an index, among words."""
 NOTHING = (Text("0"),)
 """The right-hand side of a body in equilibrium."""
 
@@ -35,8 +38,27 @@ def table_of(run: Sequence[Forces]) -> Table:
     """Free-body diagram and kinetic diagram side by side where both are told."""
     both = any(f.right and f.right != NOTHING for f in run)
     heads = ("body", *(run[0].heads if both else run[0].heads[:1]))
-    rows = [((Text(f.body, "strong"),), f.left, *((f.right,) if both else ())) for f in run]
+    sides = ([f.left, f.right] if both else [f.left] for f in run)
+    rows = [
+        ((Text(f.body.replace("_", " "), "strong"),), *(tuple(_with_names(side)) for side in own))
+        for f, own in zip(run, sides, strict=True)
+    ]
     return Table(tuple((Text(h),) for h in heads), tuple(rows))
+
+
+def _with_names(entries: Line) -> Iterator[Inline]:
+    """Entries of a diagram whose points are names too: at G_AB."""
+    for piece in entries:
+        if not isinstance(piece, Text) or piece.style != "plain":
+            yield piece
+            continue
+        end = 0
+        for match in INDEXED.finditer(piece.text):
+            yield replace(piece, text=piece.text[end : match.start()])
+            yield Name(match[0])
+            end = match.end()
+        if end < len(piece.text):
+            yield replace(piece, text=piece.text[end:])
 
 
 def answer_line(answer: Answer) -> Line:

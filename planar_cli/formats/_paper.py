@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import field
+from dataclasses import field, replace
 from itertools import pairwise
 
 from planar_cli.formats._layout import settled, spans
@@ -18,9 +18,9 @@ SIZE = 13.0
 SMALL = 0.72
 """Of an index."""
 WIDE, NARROW = set("mwMW∑Σ@ω"), set("iljtfrI.,:;|'′()[] /")
-_INDEX = re.compile(r"_([^\s/)\]=<>+·²³⁴′]+)")
-_OF_NAME = re.compile(r"_([^\s)\]=<>+·²³⁴′]+)")
-"""The index of one name alone: a stroke in it is a relative motion, v_B/A."""
+_INDEX = re.compile(r"_([^\s/)\]=<>+·²³⁴′]+)|(?<=(?<![^\W\d_])[^\W\d_])(\d+)(?![A-Za-z0-9.])")
+_OF_NAME = re.compile(r"_([^\s)\]=<>+·²³⁴′]+)|(?<=[^\W\d_])(\d+)(?![\d.])")
+"""The index of one name alone: a stroke in it is a relative motion, v_B/A. Digits behind a letter are one too: v0."""
 
 
 @record
@@ -143,11 +143,25 @@ def runs_of(line: Line) -> tuple[Run, ...]:
         alone = isinstance(piece, Name) or (isinstance(piece, Math) and piece.expr.is_Symbol)
         for span in settled(spans((piece,))):
             text, formula, end = span.text, span.style == "math", 0
-            for match in (_OF_NAME if alone else _INDEX).finditer(text):
-                found += [Run(text[end : match.start()], formula=formula), Run(match.group(1), True, formula)]
+            for match in (_OF_NAME if alone else _INDEX).finditer(text) if formula or "_" in text else ():
+                found += [Run(text[end : match.start()], formula=formula), Run(match[1] or match[2], True, formula)]
                 end = match.end()
             found.append(Run(text[end:], formula=formula))
-    return tuple(r for r in found if r.text)
+    return tuple(_joined(r for r in found if r.text))
+
+
+def _joined(runs: Iterable[Run]) -> Iterator[Run]:
+    """Two indices that follow each other as one: v0_x."""
+    last: Run | None = None
+    for run in runs:
+        if last is not None and last.index and run.index:
+            last = replace(last, text=f"{last.text},{run.text}")
+            continue
+        if last is not None:
+            yield last
+        last = run
+    if last is not None:
+        yield last
 
 
 def width_of(runs: Sequence[Run]) -> float:

@@ -56,6 +56,7 @@ color:var(--accent)}.case{font-size:1.25rem}.part{font-size:1.15rem}
 p{margin:.5rem 0}.equation{display:block;margin:.4rem 0 .4rem 2rem;overflow-x:auto;overflow-y:hidden;line-height:1.7}
 .long{display:inline-block;max-width:100%}
 .number{float:right;color:var(--muted);margin-left:1rem}.note dt,.check dt{font-weight:600}
+.forces td:first-child{white-space:nowrap}
 table{border-collapse:collapse;margin:.6rem 0;display:block;overflow-x:auto}th,td{border:1px solid var(--line);
 padding:.25rem .6rem;text-align:left;vertical-align:top}th{background:var(--tint)}
 .answer{border:1.5px solid var(--accent);border-radius:6px;padding:.4rem .8rem;margin:1rem 0;background:var(--tint)}

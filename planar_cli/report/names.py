@@ -74,7 +74,8 @@ def plain_name(name: str) -> str:
     parts = _parts(name)
     mark = _DOTS[parts.dot][0] if parts.dot else ""
     subscript = f"_{parts.subscript}" if parts.subscript else ""
-    return f"{parts.prefix}{parts.stem}{mark}{subscript}{'′' if parts.prime else ''}"
+    stem, digits = _trailing_digits(parts.stem) if mark else (parts.stem, "")
+    return f"{parts.prefix}{stem}{mark}{digits}{subscript}{'′' if parts.prime else ''}"
 
 
 def latex_name(name: str) -> str:
