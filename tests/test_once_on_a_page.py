@@ -31,10 +31,15 @@ def test_a_vector_that_says_the_answer_stands_once_before_it() -> None:
     assert "a, x" not in page
 
 
-def test_a_case_tells_only_what_differs() -> None:
-    """Two forces are gone from the diagram."""
+def test_a_diagram_from_which_forces_are_gone_is_drawn_again() -> None:
     case = page_of_file("car-with-locked-wheels").partition("CASE")[2]
-    assert "car: the diagram as before, without N_A, μ N_A At the limit: N_A vanishes" in case
+    assert "car: m g ↓ at G, N_B ↑ at B, μ N_B ← at B = m a_G → at G At the limit: N_A vanishes" in case
+
+
+def test_a_diagram_about_another_point_is_drawn_again() -> None:
+    """After the cut moments are taken about another C."""
+    case = page_of_file("bar-when-one-of-its-cords-is-cut").split("CASE after")[1]
+    assert "bar: m g ↓ at G, T_left ↖ at A = " in case
 
 
 def test_before_is_the_last_diagram() -> None:

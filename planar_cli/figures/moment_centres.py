@@ -6,13 +6,14 @@ import math
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from itertools import pairwise, takewhile
+from itertools import takewhile
 
 from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.shapes import moved
 from planar_cli.records import record
 from planar_cli.report.blocks import Block, Forces, Heading, Name, Paragraph, Text, Way, line
 from planar_cli.report.marks import Arrow, Mark, Panel, Polyline, Spot, Symbol, Tag, spots_of
+from planar_cli.report.pointing import told_centres
 
 ON = 1e-6
 """What passes a place at this part of the distance to it passes through it."""
@@ -62,9 +63,7 @@ def _bodies(row: Forces) -> set[str]:
 
 def _told(block: Paragraph) -> Iterator[MomentCentre]:
     totals = tuple(_TOTAL.findall("".join(p.text for p in block.line if isinstance(p, Text))))
-    for piece, behind in pairwise(block.line):
-        if isinstance(piece, Text) and piece.way is not None and piece.way.bodies and isinstance(behind, Name):
-            yield MomentCentre(behind.name, piece.way, totals)
+    yield from (MomentCentre(name, way, totals) for name, way in told_centres([block]))
 
 
 def _lines(panel: Panel, centre: MomentCentre, at: Spot) -> Iterator[Mark]:

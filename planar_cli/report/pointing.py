@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import pairwise
 
 from planar_cli.problem.geometry import Vec
-from planar_cli.report.blocks import Text, Way
+from planar_cli.report.blocks import Block, Name, Paragraph, Text, Way
 from planar_cli.report.words import Phrases
 
 
@@ -21,3 +22,11 @@ def about(phrases: Phrases, told: str, place: Vec | None, bodies: Sequence[str])
     of its own.
     """
     return Text(told, way=None if place is None else Way(place, None, phrases.drawn or phrases.value, tuple(bodies)))
+
+
+def told_centres(blocks: Iterable[Block]) -> Iterator[tuple[str, Way]]:
+    """The points about which moments are taken, by their names."""
+    for block in blocks:
+        for piece, behind in pairwise(block.line) if isinstance(block, Paragraph) else ():
+            if isinstance(piece, Text) and piece.way is not None and piece.way.bodies and isinstance(behind, Name):
+                yield behind.name, piece.way

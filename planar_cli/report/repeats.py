@@ -1,6 +1,6 @@
 """What a case says as an earlier one did is told once: of a run of lines that stood there word for word, with the same
-numbers of equations, only that it is as before, of named quantities by the same formulas the new values; of a diagram
-from which forces are gone, which they are.
+numbers of equations, only that it is as before, of named quantities by the same formulas the new values. A diagram from
+which forces are gone is drawn again, and so is one about another point of which moments are taken.
 """
 
 from __future__ import annotations
@@ -8,6 +8,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import takewhile
 
 from planar_cli.equation.plain import longer
 from planar_cli.report.as_printed import as_text, diagram, read_alike
@@ -28,7 +29,7 @@ from planar_cli.report.blocks import (
     Value,
     line,
 )
-from planar_cli.report.entries import entries
+from planar_cli.report.pointing import told_centres
 from planar_cli.report.results import told_by_others, value_told
 from planar_cli.report.small_motion import LINEAR
 from planar_cli.report.steps import SOLVING
@@ -53,6 +54,10 @@ def told_once(blocks: Sequence[Block], before: Sequence[Block]) -> list[Block]:
     drawn = _known_first([printed.reduced(b) for b in blocks], printed)
     printed.redrawn = printed.beside_equations(drawn)
     known = [printed.knows(b) or printed.renews(b) for b in drawn]
+    known = [
+        k and not (isinstance(b, Forces) and _is_about_another(b, drawn[i:], before))
+        for i, (k, b) in enumerate(zip(known, drawn, strict=True))
+    ]
     turned = list(steps_turned(drawn, known, printed.knows_turned))
     known = [k and _with_all_it_leads_to(drawn, known, i) for i, k in enumerate(known)]
     known = [k and not _is_led_anew(drawn, known, i) for i, k in enumerate(known)]
@@ -188,24 +193,23 @@ class _Printed:
         return list(zip(own, self._likewise.get(_told(block), own), strict=False))
 
     def reduced(self, block: Block) -> Block:
-        """The diagram of a body by the forces that are gone from the last one; a long formula of a named quantity with
-        its other numbers alone. Itself, where it is another.
-        """
+        """A long formula of a named quantity with its other numbers alone. Itself, where it is another."""
         if (
             isinstance(block, Equation)
             and _is_long(block)
             and read_alike((block.lead, block.sides[:2])) in self.formulas
         ):
             return block if _told(block) in self.said else replace(block, sides=(block.sides[0], *block.sides[2:]))
-        other = self.diagrams.get(block.body) if isinstance(block, Forces) else None
-        if not isinstance(block, Forces) or other is None or as_text(other.right) != as_text(block.right):
-            return block
-        own, acting = [as_text(e) for e in entries(block.left)], list(entries(other.left))
-        gone = [e for e in acting if as_text(e) not in own]
-        if not gone or [as_text(e) for e in acting if e not in gone] != own:
-            return block
-        names = [p for i, e in enumerate(gone) for p in (*([", "] if i else []), e[0])]
-        return Paragraph(line(f"{block.body}: the diagram as before, without ", *names))
+        return block
+
+
+def _is_about_another(row: Forces, step: Sequence[Block], before: Sequence[Block]) -> bool:
+    """Does a step take moments of a body about a point that the diagram of earlier cases does not have?"""
+    told = " ".join(as_text(side) for side in (row.left, row.right))
+    then = {(name, repr(way.place)) for name, way in told_centres(before)}
+    now = told_centres(takewhile(lambda b: not isinstance(b, Heading), step))
+    own = [(name, repr(way.place)) for name, way in now if set(row.body.split(", ")) <= set(way.bodies)]
+    return any(c not in then and not re.search(rf" at {re.escape(c[0])}\b", told) for c in own)
 
 
 def _formula(equation: Equation) -> str:
