@@ -33,7 +33,7 @@ def test_a_vector_that_says_the_answer_stands_once_before_it() -> None:
 
 def test_a_diagram_from_which_forces_are_gone_is_drawn_again() -> None:
     case = page_of_file("car-with-locked-wheels").partition("CASE")[2]
-    assert "car: m g ↓ at G, N_B ↑ at B, μ N_B ← at B = m a_G → at G At the limit: N_A vanishes" in case
+    assert "car: m g ↓ at G, N_B ↑ at B, μ N_B ← at B = m a_A → at G At the limit: N_A vanishes" in case
 
 
 def test_a_diagram_about_another_point_is_drawn_again() -> None:
