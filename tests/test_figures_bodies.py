@@ -284,3 +284,15 @@ def test_a_cord_in_a_horizontal_plane_runs_straight_to_a_hole() -> None:
     assert not [m for m in marks if isinstance(m, Symbol) and m.kind == "hanger"]
     ropes = [m.places for m in marks if isinstance(m, Polyline) and m.style == "rope"]
     assert ropes[0][1] == ropes[1][0]
+
+
+def test_what_hangs_over_a_peg_hangs_straight_down() -> None:
+    marks = drawings("wheel-pulled-uphill")["scene"].panels[0].marks
+    ropes = [m.places for m in marks if isinstance(m, Polyline) and m.style == "rope"]
+    hangs = [(a, b) for a, b in ropes if abs(a[0] - b[0]) < 1e-9 * math.dist(a, b)]
+    assert hangs
+    ground = next(m.places for m in marks if isinstance(m, Hatched))
+    slope = math.atan2(ground[-1][1] - ground[0][1], ground[-1][0] - ground[0][0])
+    others = [math.atan2(b[1] - a[1], b[0] - a[0]) for a, b in ropes if (a, b) not in hangs]
+    assert others
+    assert all(math.sin(way - slope) == pytest.approx(0, abs=1e-6) for way in others), "parallel to the slope"

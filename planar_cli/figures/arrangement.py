@@ -32,6 +32,7 @@ from planar_cli.figures.positions import (
     slid_to,
 )
 from planar_cli.figures.rings import extent_of, way_of
+from planar_cli.figures.ropes import bends
 from planar_cli.figures.shapes import body_marks
 from planar_cli.figures.side_by_side import BOX, POINT, side_by_side
 from planar_cli.figures.springs import settled
@@ -40,7 +41,7 @@ from planar_cli.figures.surfaces import surface_marks
 from planar_cli.figures.within import within
 from planar_cli.joints.base import Joint
 from planar_cli.problem.scene import Circle, Line, Particle, Problem, Round, Surface
-from planar_cli.problem.sketches import Slide
+from planar_cli.problem.sketches import Cord, Slide
 from planar_cli.report.blocks import Name, line
 from planar_cli.report.marks import (
     Angle,
@@ -180,7 +181,7 @@ def _marks(drawn: Drawn, moving: Moving | None, joints: Sequence[Joint], later: 
     written = [p for p in problem.points if not p.unnamed and p.name not in problem.hidden]
     shown = {p.name: points[p.name] for p in written if p.name in points}
     bars = [m for n in scene.bodies.values() for m in body_marks(drawn, n) if isinstance(m, Polyline) and not m.closed]
-    yield from _points(shown.values(), bars, sketched)
+    yield from _points(drawn, shown.values(), bars, sketched)
     tagged = {**shown, **_particles(drawn, problem, shown)}
     tagged |= {name: (tagged[name][0] + x, tagged[name][1] + y) for name, (x, y) in aside.items() if name in tagged}
     measures = [*measure_marks(drawn, problem, tagged, edges_of)]
@@ -206,12 +207,17 @@ def _pressed(
             yield x + reach * u, y + reach * v
 
 
-def _points(spots: Iterable[Spot], bars: Sequence[Polyline], sketched: Sequence[Mark]) -> Iterator[Mark]:
-    """The points of a scene: on a bar each is a ring, where nothing else is drawn."""
+def _points(drawn: Drawn, spots: Iterable[Spot], bars: Sequence[Polyline], sketched: Sequence[Mark]) -> Iterator[Mark]:
+    """The points of a scene: on a bar each is a ring, where nothing else is drawn; none where a rope bends round a
+    wheel beside its point.
+    """
     pinned = {m.at for m in sketched if isinstance(m, Symbol)}
+    cords = (s for joint in drawn.scene.problem.joints for s in sketch_of(drawn, joint) if isinstance(s, Cord))
+    beside = {s for cord in cords for s in bends(drawn, cord)}
     for spot in spots:
         bare = spot not in pinned and any(_is_on(spot, bar) for bar in bars)
-        yield Symbol("ring" if bare else "point", spot)
+        if spot not in beside:
+            yield Symbol("ring" if bare else "point", spot)
 
 
 def _origin(measures: Sequence[Mark], tagged: dict[str, Spot]) -> Iterator[Mark]:

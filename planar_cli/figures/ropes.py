@@ -9,13 +9,15 @@ from itertools import pairwise
 
 from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.hanging import in_its_loop
-from planar_cli.figures.rings import extent_of, moved_by, turn
+from planar_cli.figures.rings import extent_of, moved_by, turn, way_of
 from planar_cli.figures.shapes import moved
 from planar_cli.problem.scene import Round
 from planar_cli.problem.sketches import Cord, CordStop
 from planar_cli.records import record
 from planar_cli.report.marks import Arc, Mark, Polyline, Spot, Symbol
 
+BENT = math.radians(20)
+"""Half of the angle between two parts of a rope from which on its wheel stands within its bend."""
 WHEEL, STRAIGHT, OFF = 0.035, 0.02, 1e-3
 """The radius of a small wheel in parts of the scene; the sine of the angle up to which a rope goes straight on; how far
 a part of it may be off its direction, in parts of the scene.
@@ -38,10 +40,9 @@ def cord_marks(drawn: Drawn, sketch: Cord) -> Iterator[Mark]:
     told = [s for stop in sketch.stops if (s := _stop(drawn, stop)) is not None]
     if len(told) < len(sketch.stops):
         return
-    size = extent_of(drawn.at_rest().everything()) or 1.0
+    size, lies_flat = _size(drawn), _lies_flat(drawn)
     along = drawn.angle(sketch.along) if sketch.along is not None else None
     parallel = _parallel(drawn, sketch, told, along, OFF * size) if along is not None else None
-    lies_flat = drawn.scene.problem.plane == "horizontal"
     stops = parallel or _with_wheels(told, WHEEL * size, lies_flat)
     # In a horizontal plane nothing hangs: there it runs round a peg or through a hole.
     yield from (Symbol("ring", s.center) for s in stops[1:-1] if s.fixed and not s.radius and lies_flat)
@@ -50,10 +51,11 @@ def cord_marks(drawn: Drawn, sketch: Cord) -> Iterator[Mark]:
             # A load that hangs on a rope is seen within its wheel.
             yield Arc(wheel.center, wheel.radius, "body" if wheel.fixed else "thin")
             if wheel.fixed:
-                yield from _hung(wheel, _hangs(told, i, along if parallel else None), parallel is not None)
-            else:
-                yield from in_its_loop(drawn, sketch, i, wheel.radius)
-        if wheel.center != told[i].center:
+                yield from _hung(wheel, _hangs(told, i, along if parallel else None))
+            elif i == min(alike := [k for k, s in enumerate(sketch.stops) if s.body == sketch.stops[i].body]):
+                # Under several wheels of a body one load hangs.
+                yield from in_its_loop(drawn, sketch, i, max(stops[k].radius for k in alike))
+        if wheel.center != told[i].center and parallel:
             yield Polyline((told[i].center, wheel.center), "body")
     parts = [straight(a, b) for a, b in pairwise(stops) if (a.rim or a.center) != (b.rim or b.center)]
     for part in parts:
@@ -68,11 +70,10 @@ def cord_marks(drawn: Drawn, sketch: Cord) -> Iterator[Mark]:
                 yield Symbol("wall", at, _upright(math.atan2(other[1] - at[1], other[0] - at[0]), math.pi / 2))
 
 
-def _hung(wheel: Stop, angle: float, wide: bool) -> Iterator[Mark]:
-    """What holds a fixed wheel; of a `wide` one it begins at the rim, at the end of an arm."""
-    at = moved(wheel.center, angle, wheel.radius) if wide else wheel.center
-    if wide:
-        yield Polyline((wheel.center, at), "thin")
+def _hung(wheel: Stop, angle: float) -> Iterator[Mark]:
+    """What holds a fixed wheel, from its rim on, and an arm from there to its axle."""
+    at = moved(wheel.center, angle, wheel.radius)
+    yield Polyline((wheel.center, at), "thin")
     yield Symbol("hanger", at, angle)
 
 
@@ -123,8 +124,44 @@ def _with_wheels(stops: Sequence[Stop], radius: float, lies_flat: bool) -> list[
         if stop.radius or stop.rim is not None or reach < 1e-12 or straight_on or (stop.fixed and lies_flat):
             continue
         small = min(radius, math.dist(a, stop.center) / 3, math.dist(stop.center, b) / 3)
-        found[i] = replace(stop, radius=small, side=1 if bend >= 0 else -1)
+        wheel = replace(stop, radius=small, side=1 if bend >= 0 else -1)
+        found[i] = _within_its_bend(wheel, stops[i - 1], stops[i + 1]) if stop.fixed else wheel
     return found
+
+
+def _within_its_bend(wheel: Stop, before: Stop, after: Stop) -> Stop:
+    """A fixed wheel that touches both parts of its rope where the file has them, so that what hangs hangs straight
+    down; where these are nearly parallel, about its point.
+    """
+    point = Stop(wheel.center)
+    comes, goes = straight(before, point)[0], straight(point, after)[1]
+    (a, b), (x, y) = (way_of(wheel.center, end) for end in (comes, goes)), wheel.center
+    half = abs(math.remainder(b - a, 2 * math.pi)) / 2
+    if half < BENT:
+        return wheel
+    longest = min(math.dist(comes, wheel.center), math.dist(wheel.center, goes)) / 3
+    radius = min(wheel.radius, longest * math.tan(half))
+    middle = math.atan2(math.sin(a) + math.sin(b), math.cos(a) + math.cos(b))
+    reach = radius / math.sin(half)
+    return replace(wheel, center=(x + reach * math.cos(middle), y + reach * math.sin(middle)), radius=radius)
+
+
+def bends(drawn: Drawn, sketch: Cord) -> set[Spot]:
+    """The points at which a rope turns on wheels that stand within its bend: nothing is there."""
+    told = [s for stop in sketch.stops if (s := _stop(drawn, stop)) is not None]
+    if len(told) < len(sketch.stops) or sketch.along is not None:
+        return set()
+    stops = _with_wheels(told, WHEEL * _size(drawn), _lies_flat(drawn))
+    return {s.center for s, wheel in zip(told, stops, strict=True) if wheel.center != s.center}
+
+
+def _size(drawn: Drawn) -> float:
+    return extent_of(drawn.at_rest().everything()) or 1.0
+
+
+def _lies_flat(drawn: Drawn) -> bool:
+    """Is it a scene in which nothing hangs?"""
+    return bool(drawn.scene.problem.plane == "horizontal")
 
 
 def _hangs(stops: Sequence[Stop], i: int, along: float | None) -> float:
