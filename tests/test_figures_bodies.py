@@ -28,6 +28,7 @@ from planar_cli.report.marks import (
     Hatched,
     Panel,
     Polyline,
+    Slot,
     Spot,
     Symbol,
     Tag,
@@ -84,7 +85,8 @@ def test_a_guided_box_stands_on_a_floor_and_no_rail_runs_through_it() -> None:
 
 def test_a_piston_keeps_its_rails() -> None:
     (panel,) = drawings("kinematics/slider-crank-offset")["scene"].panels
-    assert [m.kind for m in panel.marks if isinstance(m, Symbol)].count("rail") == 1
+    assert sum(isinstance(m, Slot) for m in panel.marks) == 1
+    assert [m.kind for m in panel.marks if isinstance(m, Symbol)].count("slider") == 1
 
 
 def test_a_point_over_which_a_rope_runs_is_a_wheel_that_hangs_from_above() -> None:
@@ -132,8 +134,8 @@ def test_spring_and_damper_lie_side_by_side_and_end_at_the_body() -> None:
 
 def test_a_buffer_ends_at_its_own_length_with_a_plate() -> None:
     (panel,) = drawings("energy/block-down-a-slope-onto-a-buffer")["scene"].panels
-    (coil,) = (m for m in panel.marks if isinstance(m, Coil))
-    (plate,) = (m for m in panel.marks if isinstance(m, Symbol) and m.kind == "plate")
+    coil = next(m for m in panel.marks if isinstance(m, Coil) and not m.later)
+    plate = next(m for m in panel.marks if isinstance(m, Symbol) and m.kind == "plate")
     (block,) = (m for m in panel.marks if isinstance(m, Symbol) and m.kind == "block")
     assert plate.at == coil.end
     assert math.dist(plate.at, block.at) > math.dist(coil.start, coil.end)
