@@ -19,7 +19,7 @@ from planar_cli.problem.parser import parse_side
 from planar_cli.problem.structure import load_text
 from planar_cli.report import marks as drawn_marks
 from planar_cli.report.blocks import Forces, Line, Math, Name, Text, Value, line
-from planar_cli.report.marks import Angle, Coil, Dashpot, Dimension, Polyline, Symbol
+from planar_cli.report.marks import Angle, Arrow, Coil, Dashpot, Dimension, Hatched, Polyline, Symbol
 from planar_cli.report.narrate import narrate
 from planar_cli.solve.run import solve_problem
 
@@ -206,3 +206,31 @@ def test_points_of_a_list_of_forces_are_names() -> None:
     assert body == (Text("gear A", "strong"),)
     assert Name("G_AB") in entries
     assert "".join(p.text for p in entries if isinstance(p, Text)) == " ↑ at , at O"
+
+
+def test_a_throw_up_a_slope_has_the_slope_its_angle_and_the_distances_that_are_asked() -> None:
+    marks = scene_of("motion/throw-up-a-slope")
+    (slope,) = (m.places for m in marks if isinstance(m, Hatched))
+    assert slope[0][1] < 0 < slope[1][1]
+    assert {"α", "β"} <= {told(m) for m in marks if isinstance(m, Angle)}
+    along, off = (m for m in marks if isinstance(m, Dimension) and told(m) in ("d", "h"))
+    assert math.dist(along.start, along.end) > math.dist(off.start, off.end)
+    assert off.start[0] > off.end[0], "from its foot on the slope"
+
+
+def test_heights_count_from_the_ground_under_what_is_thrown_from_above_it() -> None:
+    (ground,) = (m.places for m in scene_of("motion/throw-at-a-basketball-ring") if isinstance(m, Hatched))
+    assert [y for _, y in ground] == [0.0, 0.0]
+    assert not [m for m in scene_of("motion/jet-that-reaches-highest-on-a-wall") if isinstance(m, Hatched)]
+
+
+def test_a_force_at_the_end_of_a_cord_begins_where_the_cord_ends() -> None:
+    marks = scene_of("textbook/ex-4-05")
+    (cord,) = (m.places for m in marks if isinstance(m, Polyline) and m.style == "rope")
+    (pull,) = (m for m in marks if isinstance(m, Arrow) and m.style == "force")
+    assert cord[1] == pull.at
+    assert cord[0] != pull.at
+
+
+def test_the_way_of_a_point_of_a_body_is_measured() -> None:
+    assert "d" in [told(m) for m in scene_of("textbook/ex-4-08") if isinstance(m, Dimension)]

@@ -10,7 +10,9 @@ from typing import Any
 from planar_cli.figures.drawn import Drawn, brief, size_of, words_of
 from planar_cli.figures.floors import slide_marks
 from planar_cli.figures.partners import pivot_of
+from planar_cli.figures.rings import extent_of
 from planar_cli.figures.ropes import Stop, cord_marks, straight
+from planar_cli.figures.shapes import moved
 from planar_cli.problem.expression import Quantity, Side
 from planar_cli.problem.keys import Table
 from planar_cli.problem.sketches import (
@@ -30,6 +32,8 @@ from planar_cli.problem.walk import walk
 from planar_cli.report.blocks import Line
 from planar_cli.report.marks import Arrow, Coil, Dashpot, Mark, Polyline, Spot, Symbol, Turn
 
+CORD = 0.6
+"""So long is the cord at whose end something pulls, in parts of the scene."""
 HANGING = 0.6
 """The sine of the angle below the level from which on what a support holds hangs."""
 
@@ -148,6 +152,9 @@ def _push(sketch: Push, drawn: Drawn, name: Line) -> Iterator[Mark]:
     idle = not isinstance(sketch.size, Table | None) and drawn.length(sketch.size) == 0
     if at is not None and angle is not None and not idle:
         words = name if sketch.size is None or isinstance(sketch.size, Table) else words_of(sketch.size) or name
+        if sketch.unwinds:
+            drum, at = at, moved(at, angle, CORD * (extent_of(drawn.at_rest().everything()) or 1.0))
+            yield Polyline((drum, at), "rope")
         yield Arrow(at, angle, "velocity" if sketch.flows else "force", words, inward=sketch.inward)
 
 

@@ -89,7 +89,7 @@ class Force(Load):
 
     def sketch(self, scene: Setting) -> tuple[Sketch, ...]:
         point = self._place(scene)
-        return (Push(point, self._direction(scene, point), self.magnitude),)
+        return (Push(point, self._direction(scene, point), self.magnitude, unwinds=self.wound_at is not None),)
 
     def wrenches(self, scene: MovingSetting) -> tuple[Wrench, ...]:
         point = self._place(scene)

@@ -126,6 +126,8 @@ class Push:
     size: Side | Table | None
     inward: bool = False
     """Does it come to the place, as a jet that enters?"""
+    unwinds: bool = False
+    """Does it pull at the end of a cord that leaves a drum there?"""
     flows: bool = False
     """Is it no force, but matter that flows there, with its speed?"""
 
