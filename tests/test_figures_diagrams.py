@@ -144,3 +144,9 @@ def test_a_group_of_bodies_has_its_diagram_without_the_forces_between_them() -> 
     assert sum(isinstance(m, Symbol) and m.kind == "centre" for m in both.panels[0].marks) == 2
     named = [[m.words for m in f.panels[1].marks if isinstance(m, Tag)] for f in (disk, rod, both)]
     assert [line(Name("C")) in words for words in named] == [False, False, True]
+
+
+def test_what_is_given_against_its_letter_is_not_found() -> None:
+    """The ball comes down, as the file says."""
+    notes = ["".join(map(plain, f.note)) for f in diagrams("ball-on-a-rough-floor")]
+    assert "given: m*v_Gy__1 downward" in notes

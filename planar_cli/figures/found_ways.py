@@ -16,7 +16,7 @@ from sympy import Expr, Integer, Rational, Symbol
 from planar_cli.equation.bounds import certain_sign
 from planar_cli.equation.exact import Valuation
 from planar_cli.problem.expression import Quantity
-from planar_cli.report.blocks import Forces, Line, Math, line
+from planar_cli.report.blocks import Forces, Inline, Line, Math, line
 from planar_cli.report.marks import Arrow, Panel, Turn
 from planar_cli.report.numbers import rotation_words
 from planar_cli.solve.between.trace import ImpactEquation, MotionTrace, RouteStep
@@ -36,6 +36,8 @@ OPPOSITE = (
 )
 """Of arrows by eighths of a turn, counterclockwise from the x axis."""
 NUMBER = re.compile(r"-?\d+(\.\d+)?")
+GIVEN = "given"
+"""The kind of a relation of a motion that is a datum of the file."""
 LEGEND = "dashed: direction assumed"
 
 
@@ -43,10 +45,28 @@ def note_of(panels: Sequence[Panel], row: Forces, solution: Solution) -> Line:
     """Nothing where no direction is assumed and each is as drawn. `row`: the list of forces of these diagrams."""
     drawn = [m for p in panels for m in p.marks if isinstance(m, Arrow | Turn)]
     legend = [LEGEND] if any(isinstance(m, Arrow) and m.assumed for m in drawn) else []
-    against = [m for m in drawn if _is_against(m.words, row, solution)]
-    found = {repr((m.words, _opposite(m))): m for m in against}
-    told = [piece for m in found.values() for piece in (", ", *m.words, f" {_opposite(m)}")][1:]
-    return line(*legend, *((f"{'; ' if legend else ''}found: ", *told) if told else ()))
+    against = {repr((m.words, _opposite(m))): m for m in drawn if _is_against(m.words, row, solution)}
+    data = _data(row, solution)
+    given = [m for m in against.values() if _size(m.words).free_symbols <= data]
+    found = [m for m in against.values() if m not in given]
+    parts: list[list[Inline | str]] = [[*legend]]
+    parts += [[head, *_told(own)] for head, own in (("given: ", given), ("found: ", found)) if own]
+    told = [piece for part in parts if part for piece in ("; ", *part)]
+    return line(*told[1:])
+
+
+def _told(marks: Sequence[Arrow | Turn]) -> list[Inline | str]:
+    return [piece for m in marks for piece in (", ", *m.words, f" {_opposite(m)}")][1:]
+
+
+def _data(row: Forces, solution: Solution) -> set[Symbol]:
+    """The letters of which the file gives what they are."""
+    given = set(row.scene.ledger.values) if row.scene is not None else set()
+    for motion in (part.motion for part in solution.parts if part.motion is not None):
+        given |= set(motion.route.plain)
+        data = (step for step in motion.route.steps if step.is_datum and step.relations[0].kind == GIVEN)
+        given |= {r.unknown for step in data for r in step.results}
+    return given
 
 
 def _opposite(mark: Arrow | Turn) -> str:
@@ -57,9 +77,13 @@ def _opposite(mark: Arrow | Turn) -> str:
 
 def _is_against(words: Line, row: Forces, solution: Solution) -> bool:
     """Does a vector come out against the direction in which its letters count, whenever its diagram holds?"""
-    size = math.prod((_in_numbers(p) for p in words if isinstance(p, Math)), start=Integer(1))
+    size = _size(words)
     found = [n for part in solution.parts for n in _numbers(size, row, part)] if size.free_symbols else []
     return bool(found) and all(n is not None and n < 0 for n in found)
+
+
+def _size(words: Line) -> Expr:
+    return math.prod((_in_numbers(p) for p in words if isinstance(p, Math)), start=Integer(1))
 
 
 def _in_numbers(told: Math) -> Expr:
