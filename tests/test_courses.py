@@ -67,6 +67,11 @@ def test_what_was_found_stands_at_its_state() -> None:
     assert [len(c.pieces) for c in a.curves] == [2]
 
 
+def test_a_time_since_the_start_stands_at_its_end() -> None:
+    *_, place = courses("car-three-phases")
+    assert told(place.dots[-1].words) == "stop: 1469 m, t = 70 s"
+
+
 def test_two_that_meet_share_their_graph() -> None:
     *_, place = courses("police-chase")
     assert [told(c.words) for c in place.curves] == ["xB", "xA"]

@@ -190,13 +190,16 @@ def _marked(dots: Sequence[tuple[str, Spot, Line]], near: Spot) -> Iterator[Dot]
 
 def _values(motion: MotionTrace, law: Law, level: str, found: Sequence[Found], times: bool) -> dict[str, Line]:
     """What the page answers of it, by the state: a place, a velocity; `times`: when it comes there, too."""
-    answers, told = {f.name: f for f in found}, dict[str, Line]()
+    answers, told, dates = {f.name: f for f in found}, dict[str, Line](), dict[str, Line]()
     for request in motion.requests:
         answer = answers.get(request.find.name)
         if answer is None or answer.values is None or len(request.parts) != 1 or len(answer.values) != 1:
             continue
+        asked = sp.sympify(request.parts[0])
+        # Since a state at t = 0, or from a place at 0, it is as long or far as the other state is.
+        begun = {x: sp.S.Zero for x in asked.free_symbols if motion.value.known(x) == 0}
         for sign in (1, -1):
-            x = sign * sp.sympify(request.parts[0])
+            x = sign * asked.xreplace(begun)
             general = motion.general.get(x) if x.is_Symbol else None
             state = motion.ledger.roles[x].at if general is not None else None
             if general is None or not state:
@@ -208,8 +211,8 @@ def _values(motion: MotionTrace, law: Law, level: str, found: Sequence[Found], t
             if own:
                 told.setdefault(state, line(number))
             elif times and sign == 1 and general.name == "t":
-                told[state] = line(*told.get(state, ()), *((", ",) if state in told else ()), Name("t"), " = ", number)
-    return told
+                dates.setdefault(state, line(Name("t"), " = ", number))
+    return told | {s: line(*told[s], ", ", *date) if s in told else date for s, date in dates.items()}
 
 
 def _speed(law: Law) -> sp.Symbol | None:
