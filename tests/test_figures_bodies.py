@@ -298,3 +298,13 @@ def test_what_hangs_over_a_peg_hangs_straight_down() -> None:
     others = [math.atan2(b[1] - a[1], b[0] - a[0]) for a, b in ropes if (a, b) not in hangs]
     assert others
     assert all(math.sin(way - slope) == pytest.approx(0, abs=1e-6) for way in others), "parallel to the slope"
+
+
+@pytest.mark.parametrize("name", ["cart-with-a-block-on-top-and-one-in-front", "rope-pulled-by-a-walker"])
+def test_a_rope_over_a_corner_runs_as_it_does_in_the_file(name: str) -> None:
+    marks = drawings(name)["scene"].panels[0].marks
+    ropes = [m.places for m in marks if isinstance(m, Polyline) and m.style == "rope"]
+    upright = [(a, b) for a, b in ropes if abs(a[0] - b[0]) < 1e-9 * math.dist(a, b)]
+    level = [(a, b) for a, b in ropes if abs(a[1] - b[1]) < 1e-9 * math.dist(a, b)]
+    assert upright
+    assert level or name == "rope-pulled-by-a-walker"

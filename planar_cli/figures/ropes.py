@@ -11,13 +11,15 @@ from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.hanging import in_its_loop
 from planar_cli.figures.rings import extent_of, moved_by, turn, way_of
 from planar_cli.figures.shapes import moved
-from planar_cli.problem.scene import Round
+from planar_cli.problem.scene import Particle, Round
 from planar_cli.problem.sketches import Cord, CordStop
 from planar_cli.records import record
 from planar_cli.report.marks import Arc, Mark, Polyline, Spot, Symbol
 
-BENT = math.radians(20)
-"""Half of the angle between two parts of a rope from which on its wheel stands within its bend."""
+BENT, PLUMB = math.radians(20), 1e-6
+"""Half of the angle between two parts of a rope from which on its wheel stands within its bend; the cosine up to which
+a part is upright.
+"""
 WHEEL, STRAIGHT, OFF = 0.035, 0.02, 1e-3
 """The radius of a small wheel in parts of the scene; the sine of the angle up to which a rope goes straight on; how far
 a part of it may be off its direction, in parts of the scene.
@@ -26,13 +28,14 @@ a part of it may be off its direction, in parts of the scene.
 
 @record
 class Stop:
-    """A stop of a cord in numbers; `side` as in `CordStop`."""
+    """A stop of a cord in numbers; `side` as in `CordStop`; `hangs`: is it a load in the bight of the rope?"""
 
     center: Spot
     radius: float = 0.0
     side: int = 0
     rim: Spot | None = None
     fixed: bool = False
+    hangs: bool = False
 
 
 def cord_marks(drawn: Drawn, sketch: Cord) -> Iterator[Mark]:
@@ -125,20 +128,25 @@ def _with_wheels(stops: Sequence[Stop], radius: float, lies_flat: bool) -> list[
             continue
         small = min(radius, math.dist(a, stop.center) / 3, math.dist(stop.center, b) / 3)
         wheel = replace(stop, radius=small, side=1 if bend >= 0 else -1)
-        found[i] = _within_its_bend(wheel, stops[i - 1], stops[i + 1]) if stop.fixed else wheel
+        found[i] = wheel if stop.hangs else _within_its_bend(wheel, stops[i - 1], stops[i + 1])
     return found
 
 
 def _within_its_bend(wheel: Stop, before: Stop, after: Stop) -> Stop:
-    """A fixed wheel that touches both parts of its rope where the file has them, so that what hangs hangs straight
-    down; where these are nearly parallel, about its point.
+    """A wheel that touches both parts of its rope where the file has them, so that what hangs hangs straight down, and
+    what slides is drawn along its line; where these are nearly parallel, at least the upright one.
     """
     point = Stop(wheel.center)
     comes, goes = straight(before, point)[0], straight(point, after)[1]
     (a, b), (x, y) = (way_of(wheel.center, end) for end in (comes, goes)), wheel.center
     half = abs(math.remainder(b - a, 2 * math.pi)) / 2
     if half < BENT:
-        return wheel
+        pairs = [pair for pair in ((a, b), (b, a)) if abs(math.cos(pair[0])) < PLUMB]
+        if len(pairs) != 1:
+            return wheel
+        ((upright, other),) = pairs
+        aside = math.copysign(wheel.radius, math.remainder(other - upright, 2 * math.pi))
+        return replace(wheel, center=moved(wheel.center, upright, 0.0, aside))
     longest = min(math.dist(comes, wheel.center), math.dist(wheel.center, goes)) / 3
     radius = min(wheel.radius, longest * math.tan(half))
     middle = math.atan2(math.sin(a) + math.sin(b), math.cos(a) + math.cos(b))
@@ -177,7 +185,7 @@ def _hangs(stops: Sequence[Stop], i: int, along: float | None) -> float:
 
 
 def _stop(drawn: Drawn, stop: CordStop) -> Stop | None:
-    center = drawn.spot(stop.center)
+    center, body = drawn.spot(stop.center), drawn.body(stop.body)
     if center is None:
         return None
     return Stop(
@@ -186,6 +194,7 @@ def _stop(drawn: Drawn, stop: CordStop) -> Stop | None:
         stop.side,
         None if stop.rim is None else drawn.spot(stop.rim),
         stop.fixed,
+        body is not None and isinstance(body.shape, Particle),
     )
 
 
