@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 
 import pytest
 from conftest import PROBLEMS
@@ -10,6 +11,7 @@ from worked import worked
 
 from planar_cli.figures.illustrated import figures_of, illustrated
 from planar_cli.formats._paper import runs_of
+from planar_cli.formats._svg import svg
 from planar_cli.report.blocks import Answer, Drawing, Line
 from planar_cli.report.marks import Arrow, Figure, Panel, Polyline, Span, Spot
 from planar_cli.report.narrate import narrate
@@ -97,3 +99,21 @@ def test_a_hodograph_has_the_velocity_of_each_state() -> None:
     assert thrown[0] == pytest.approx(top[0])
     assert thrown[1] / thrown[0] == pytest.approx(math.tan(math.radians(60)))
     assert top[1] == pytest.approx(0, abs=1e-6)
+
+
+def test_the_whole_orbit_has_the_centre_of_attraction_at_its_focus() -> None:
+    (way,) = (
+        m.places
+        for m in figures("satellite-perigee-apogee")["scene"].panels[0].marks
+        if isinstance(m, Polyline) and m.style == "way"
+    )
+    other = (6370e3 + 439e3 - (6370e3 + 2384e3), 0.0)
+    sums = [math.hypot(*spot) + math.dist(spot, other) for spot in way]
+    assert max(sums) == pytest.approx(2 * 6370e3 + 439e3 + 2384e3, rel=1e-6)
+    assert min(sums) == pytest.approx(max(sums), rel=1e-6)
+
+
+def test_what_is_far_from_zero_is_drawn_near_it_on_paper() -> None:
+    """A viewer counts with few digits."""
+    drawn = svg(figures("burn-into-a-round-orbit")["sat"])
+    assert max(abs(float(x)) for x in re.findall(r' (?:x|y|cx|cy)="([-\d.]+)"', drawn)) < 2000

@@ -17,6 +17,7 @@ from planar_cli.figures.held_later import slack_marks
 from planar_cli.figures.joints_drawn import sketch_marks
 from planar_cli.figures.measures import measure_marks
 from planar_cli.figures.names import names_of_bodies
+from planar_cli.figures.orbits import on_orbits
 from planar_cli.figures.outlines import edges
 from planar_cli.figures.parallel import with_parallel_ropes
 from planar_cli.figures.partners import between, is_slot, partners, sketch_of, sliders, touching
@@ -101,7 +102,7 @@ def arrangement(part: PartSolution, whole: Mapping[str, tuple[Spot, ...]]) -> Pa
     places = brought_near(places, size)
     marks = tuple(_marks(drawn, moving, joints, places[1:]))
     later = (*position_marks(places, motion, part.run, marks), *asked_places(places, problem))
-    return _panel((*marks, *later, *state_measures(places, problem)))
+    return _panel((*marks, *on_orbits(later, part), *state_measures(places, problem)))
 
 
 def arranged(drawn: Drawn) -> Panel:

@@ -11,9 +11,8 @@ from typing import Literal
 
 import sympy as sp
 
-from planar_cli.errors import NoValue
 from planar_cli.figures.drawn import Drawn
-from planar_cli.figures.given_motion import Found as Moving
+from planar_cli.figures.motions_in_states import moving_in
 from planar_cli.figures.point_paths import way_of_point
 from planar_cli.figures.rings import extent_of
 from planar_cli.figures.shapes import moved
@@ -21,7 +20,6 @@ from planar_cli.problem.expression import Quantity
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
 from planar_cli.records import record
-from planar_cli.report.at_state import placed
 from planar_cli.report.blocks import Line, Name, line
 from planar_cli.report.marks import Angle, Arrow, Figure, Mark, Panel, Polyline, Span, Spot, Style, Symbol, Tag
 from planar_cli.report.names import index_of
@@ -120,7 +118,7 @@ def _system(kinds: set[str], letters: frozenset[str]) -> System | None:
 
 def _place(part: PartSolution, asked: Asked) -> Place | None:
     """None: nothing tells where the point is, or how it moves; or the pole of its coordinates moves."""
-    moving = _moving(part, asked.state)
+    moving = moving_in(part, asked.state)
     scene = moving.drawn.scene if moving is not None else None
     if moving is None or scene is None or asked.point not in (*scene.points, *scene.bodies):
         return None
@@ -137,26 +135,8 @@ def _place(part: PartSolution, asked: Asked) -> Place | None:
     axes = _axes(asked.system, at, pole, vectors)
     if axes is None or (asked.system == "plain" and not _is_seen(part, moving.drawn, asked, vectors)):
         return None
-    way = way_of_point(part, moving.drawn, asked.point)
+    way = way_of_point(part, moving.drawn, asked.point, asked.state)
     return Place(asked, moving.drawn, at, pole, vectors, *axes, way)
-
-
-def _moving(part: PartSolution, state: str) -> Moving | None:
-    """The motion in a state, with the numbers of all that is found there."""
-    motion = part.motion
-    if motion is None:
-        instant = next((i for i in part.instants if i.state == state), None)
-        return Moving.of(Drawn.as_in_the_file(instant), (instant,)) if instant is not None else None
-    state = state or motion.states[0]
-    for end in (1, 0):
-        for regime in motion.regimes:
-            if any(stretch[end] == state for stretch in regime.stretches):
-                try:
-                    here = placed(regime.solution, motion, state)
-                except NoValue:
-                    continue
-                return Moving.of(Drawn(here.instant.scene, here.value, {}), (here,))
-    return None
 
 
 def _vec(drawn: Drawn, name: str) -> Vec:

@@ -11,6 +11,7 @@ import sympy as sp
 from planar_cli.equation.curves import curve_place
 from planar_cli.figures.asked_curves import whole_paths
 from planar_cli.figures.drawn import Drawn
+from planar_cli.figures.orbits import orbit
 from planar_cli.figures.paths import course_of, curve_of, path_of
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND, Circle, Curve
@@ -24,10 +25,11 @@ BEYOND = 0.3
 """A curve goes on beyond its origin and the point by this part of what lies between them."""
 
 
-def way_of_point(part: PartSolution, drawn: Drawn, name: str) -> tuple[Spot, ...]:
-    """Places along it; none: nothing tells it."""
+def way_of_point(part: PartSolution, drawn: Drawn, name: str, state: str) -> tuple[Spot, ...]:
+    """Places along it; none: nothing tells it. `state`: the one in which it is there."""
     at = drawn.spot(drawn.scene.bodies[name].center if name in drawn.scene.bodies else drawn.scene.points[name])
     led = whole_paths(part).get(name) or (next(_led(drawn, name, at), ()) if at is not None else ())
+    led = led or orbit(part, name if name in drawn.scene.bodies else drawn.scene.owner(name), state)
     found = led or course_of(drawn, name) or (curve_of(drawn, name) if name in drawn.scene.bodies else ())
     if found or part.motion is None:
         return found

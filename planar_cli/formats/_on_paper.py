@@ -59,9 +59,11 @@ class Scale:
 
     pixels: float
     """Of one metre."""
+    origin: Spot = (0.0, 0.0)
+    """The place at the zero of paper, m."""
 
     def spot(self, place: Spot) -> Spot:
-        return place[0] * self.pixels, -place[1] * self.pixels
+        return (place[0] - self.origin[0]) * self.pixels, (self.origin[1] - place[1]) * self.pixels
 
 
 def on_paper(panel: Panel, scale: Scale) -> Paper:

@@ -28,11 +28,13 @@ from planar_cli.formats._paper import (
     width_of,
 )
 from planar_cli.records import record
-from planar_cli.report.marks import Figure
+from planar_cli.report.marks import Figure, spots_of
 
 SPACE = "http://www.w3.org/2000/svg"
 WIDE, HIGH = 400.0, 300.0
 """A panel is drawn so large, to scale, at most; of several panels each has its part of the width."""
+FARTHEST = 1e5
+"""What is farther from zero, px, is drawn as seen from a place of its own: a viewer counts with few digits."""
 PART = (1.0, 0.7, 0.55, 0.45)
 MARGIN, BETWEEN, HEADED, NOTED = 8.0, 46.0, 24.0, 26.0
 LIGHT = {
@@ -210,6 +212,10 @@ def unlabelled(figure: Figure, width: float, height: float) -> list[Paper]:
     wide, high = max(w for w, _ in sizes), max(h for _, h in sizes)
     pixels = min(width / wide if wide else math.inf, height / high if high else math.inf)
     scale = Scale(pixels if math.isfinite(pixels) else 100.0)
+    spots = (s for p in figure.panels for m in p.marks for s in spots_of(m))
+    first = next(spots, (0.0, 0.0))
+    if max(map(abs, first)) * scale.pixels > FARTHEST:
+        scale = replace(scale, origin=first)
     return [on_paper(p, scale) for p in figure.panels]
 
 
