@@ -34,7 +34,10 @@ def test_an_acceleration_that_is_zero_is_not_drawn(name: str, row: str) -> None:
     [
         ("momentum/leaking-bucket", "bucket:  g (M - q t) ↓,  F ↑   =   (M - q t) a ↑\n"),
         ("momentum/rocket-up-and-along", "rocket:  g (M - q t) ↓,  u q ↑   =   (M - q t) a ↑\n"),
-        ("impact/ball-dropped-on-a-sprung-plate", "plate:  J ↓   =   m_B v_B,3 ↑\n"),
+        (
+            "impact/ball-dropped-on-a-sprung-plate",
+            "ball, plate:  m_A v_Ay,2 ↑ at A   =   m_A v_Ay,3 ↑ at A,  m_B v_B,3 ↑ at B\n",
+        ),
     ],
 )
 def test_a_guide_that_keeps_nothing_on_its_line_is_not_drawn(name: str, row: str) -> None:

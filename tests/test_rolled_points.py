@@ -32,3 +32,11 @@ def test_a_vector_of_two_plain_lengths() -> None:
     found = in_plain_lengths(across * radius + along * (radius * theta), sp.S.One)
     assert {size for _, size in found} == {radius, radius * theta}
     assert in_plain_lengths(across * radius, theta) == [(across * radius, theta)]
+
+
+def test_parts_that_may_point_the_other_way_stay_together() -> None:
+    """From a place (x, y) towards a centre (0, -d) it is one arrow; R → and c ↓ are two."""
+    x, y, d, c = sp.Symbol("x", real=True), sp.Symbol("y", real=True), *sp.symbols("d c", positive=True)
+    inward = Vec(-x, -d - y)
+    assert in_plain_lengths(inward, sp.S.One) == [(inward, sp.S.One)]
+    assert {size for _, size in in_plain_lengths(Vec(d, -c), sp.S.One)} == {c, d}

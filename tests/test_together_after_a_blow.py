@@ -88,5 +88,5 @@ def test_the_forces_after_the_blow_are_told() -> None:
     page = Terminal(200).render(
         narrate(worked(ROOT / "problems/impact/cart-that-couples-with-a-buffered-cart.yaml")[0])
     )
-    assert "one:  N_one ←   =   m_A a_A →" in page
+    assert "one, two:  k x_B ← at B   =   m_A a_A → at A,  m_B a_B → at B" in page
     assert "→ ΣF_x:   -k x_B = m_A a_A + m_B a_B" in page

@@ -156,11 +156,11 @@ def _from_the_centre(system: System, body: str, centre: tuple[str, Vec, Vec], ph
 
 def in_plain_lengths(direction: Vec, component: sp.Expr) -> list[tuple[Vec, sp.Expr]]:
     """A vector whose length is the root of a sum, R ω² √(1 + θ²), as those along and across what it turns with. One
-    that turns with nothing, as from a place (x, y) towards a centre (0, -d), stays what it is.
+    that turns with nothing stays what it is where its parts may point the other way, as from a place (x, y) towards a
+    centre (0, -d).
     """
     square = simplified(sp.sympify(direction.dot(direction)))
-    turns = any(sp.sympify(p).has(sp.sin, sp.cos) for p in (direction.x, direction.y))
-    if not square.has(sp.Add) or not square.free_symbols or not turns:
+    if not square.has(sp.Add) or not square.free_symbols:
         return [(direction, component)]
     groups: dict[sp.Expr, list[sp.Expr]] = {}
     for i, part in enumerate((direction.x, direction.y)):
@@ -170,7 +170,9 @@ def in_plain_lengths(direction: Vec, component: sp.Expr) -> list[tuple[Vec, sp.E
             sign = -1 if rest.could_extract_minus_sign() else 1
             groups.setdefault(sign * rest, [sp.S.Zero, sp.S.Zero])[i] += sign * wave
     units = [(Vec(x, y), rest * component) for rest, (x, y) in groups.items()]
-    plain = len(units) > 1 and all(simplified(way.dot(way)) == 1 for way, _ in units)
+    turns = any(sp.sympify(p).has(sp.sin, sp.cos) for p in (direction.x, direction.y))
+    certain = turns or all(rest.is_positive for rest in groups)
+    plain = certain and len(units) > 1 and all(simplified(way.dot(way)) == 1 for way, _ in units)
     return units if plain else [(direction, component)]
 
 
