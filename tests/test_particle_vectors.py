@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from unicodedata import normalize
 
 import pytest
 from conftest import PROBLEMS
@@ -23,7 +24,7 @@ def figures(stem: str) -> dict[str, Figure]:
 
 
 def told(words: Line) -> str:
-    return "".join(("_" if run.index else "") + run.text for run in runs_of(words))
+    return normalize("NFC", "".join(("_" if run.index else "") + run.text for run in runs_of(words)))
 
 
 def vectors(panel: Panel) -> dict[str, Spot]:
@@ -117,3 +118,9 @@ def test_what_is_far_from_zero_is_drawn_near_it_on_paper() -> None:
     """A viewer counts with few digits."""
     drawn = svg(figures("burn-into-a-round-orbit")["sat"])
     assert max(abs(float(x)) for x in re.findall(r' (?:x|y|cx|cy)="([-\d.]+)"', drawn)) < 2000
+
+
+def test_sizes_that_are_found_by_rates_of_coordinates_have_them_as_components() -> None:
+    velocity, acceleration = figures("ex-1-12")["vectors of P"].panels
+    assert {name.strip("|") for name in vectors(velocity)} == {"v_P", "ẋ_P", "ẏ_P"}
+    assert {name.strip("|") for name in vectors(acceleration)} == {"a_P", "ẍ_P", "ÿ_P"}

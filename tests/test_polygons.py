@@ -171,3 +171,11 @@ def test_figures_stand_at_their_equations() -> None:
     blocks = drawn_page("six-bar-class-3").blocks
     (centre,) = (i for i, b in enumerate(blocks) if isinstance(b, Drawing) and b.figure.name.startswith("centre"))
     assert centre < next(i for i, b in enumerate(blocks) if isinstance(b, Answer))
+
+
+def test_mass_centres_have_a_polygon_of_their_own_where_one_is_full() -> None:
+    figure = next(f for f in figures("slider-crank-with-a-spring") if f.name == "accelerations")
+    pins, centres = (arrows(Figure((panel,), "")) for panel in figure.panels)
+    assert {"a_A", "a_B"} <= pins.keys()
+    assert not any(name.startswith("a_G") for name in pins)
+    assert {"a_A", "a_G,crank", "a_G,AB"} <= centres.keys()

@@ -32,6 +32,7 @@ WORDS = {"v": "velocity", "a": "acceleration"}
 UPRIGHT = math.pi / 2
 System = Literal["polar", "path", "plain"]
 AXES: Mapping[System, tuple[str, str]] = {"polar": ("r", "theta"), "path": ("t", "n"), "plain": ("x", "y")}
+RATES = {"v": "dot", "a": "ddot"}
 LARGEST, AXIS, BEYOND, UNIT = 0.45, 0.3, 0.12, 0.55
 """In parts of the size of the scene: the largest vector, how long an axis is at least, and how far it goes beyond its
 component; the arrow at its end in parts of a usual one."""
@@ -92,10 +93,18 @@ def _asked(part: PartSolution, letters: frozenset[str]) -> Iterator[Asked]:
             continue
         kinds = {q.parts[0].kind if q.parts else "" for _, q in told}
         poles = {q.things[1] for _, q in told if len(q.things) > 1}
-        system = _system(kinds, letters)
+        rates = _rates(point, letters)
+        system = _system(kinds, letters) or ("plain" if rates else None)
         if system is not None and len(poles) <= 1:
             names = {(q.word, _part(q)): f.name for f, q in reversed(told) if _part(q) in ("", *AXES[system])}
+            names |= {part: name for part, name in rates.items() if system == "plain" and part not in names}
             yield Asked(point, next(iter(poles), ""), state, system, names)
+
+
+def _rates(point: str, letters: frozenset[str]) -> dict[tuple[str, str], str]:
+    """ẋ and ẍ of a point, where the page finds its vectors by them."""
+    names = {(w, axis): f"{axis}_{point}_{dots}" for w, dots in RATES.items() for axis in AXES["plain"]}
+    return names if letters >= set(names.values()) else {}
 
 
 def _part(q: Quantity) -> str:
@@ -326,7 +335,7 @@ def _letter(place: Place, word: str, axis: str, part: float) -> Line:
 def _called(place: Place, word: str, axis: str, usual: str) -> str:
     """The name of the answer, where it is the letter with an index."""
     name = place.asked.names.get((word, axis), "")
-    return name if re.fullmatch(rf"{word}(_[^\W_]+)?", name) else usual
+    return name if re.fullmatch(rf"{word}(_[^\W_]+)?|{axis}_\w+_d?dot", name) else usual
 
 
 def _zeros(place: Place, word: str, vector: Spot, parts: Sequence[float]) -> Iterator[str | Name]:

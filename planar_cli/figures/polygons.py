@@ -34,16 +34,18 @@ each: for a row of letters, or for so much and the width of so many letters.
 TOUCH = 0.15
 BETWEEN = re.compile(r"_rel$|_cor$|/")
 """What lies between the tips of others."""
+CENTRE, MANY = re.compile(r"[va]_G(,|_|$)"), 9
+"""A vector of a mass centre; more vectors than this are no single polygon if they can be told apart."""
 ON = 1e-6
 """What is so near to a line, in parts of the largest vector, lies on it."""
 
 
 def polygons(blocks: Sequence[Block], instant: InstantSolution) -> list[Figure]:
     """The polygons of the vector equations among some blocks, of velocities and of accelerations."""
-    return _figures(closed_sums(blocks, _with_all_numbers(instant)))
+    return _figures(closed_sums(blocks, with_all_numbers(instant)))
 
 
-def _with_all_numbers(instant: InstantSolution) -> InstantSolution:
+def with_all_numbers(instant: InstantSolution) -> InstantSolution:
     """Also with those that the page has no need of: α of a body whose equation is taken across it."""
     if not instant.trial.outcomes:
         return instant
@@ -53,8 +55,19 @@ def _with_all_numbers(instant: InstantSolution) -> InstantSolution:
 
 
 def _figures(found: Sequence[Closed]) -> list[Figure]:
-    made = ((letter, _panel(found, letter)) for letter in STYLES)
-    return [_figure([panel], letter) for letter, panel in made if panel is not None]
+    made = ((letter, _panels(found, letter)) for letter in STYLES)
+    return [_figure(panels, letter) for letter, panels in made if panels]
+
+
+def _panels(found: Sequence[Closed], letter: str) -> list[Panel]:
+    """One polygon; where it has so many vectors that none would be found, that of mass centres by itself."""
+    whole = _panel(found, letter)
+    if whole is None or sum(isinstance(m, Span) for m in whole.marks) <= MANY:
+        return [whole] if whole is not None else []
+    inner = [c for c in found if CENTRE.match(c.sum.name)]
+    outer = _panel([c for c in found if c not in inner], letter)
+    centres = _panel(inner, letter, " of mass centres")
+    return [whole] if outer is None or centres is None else [outer, centres]
 
 
 def polygons_of_states(
