@@ -12,10 +12,10 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
+from planar_cli.homework.key_text import shown
 from planar_cli.homework.paper import Expected, Paper
 from planar_cli.homework.rules import Rules
 from planar_cli.homework.tolerances import within
-from planar_cli.homework.worked_problem import shown
 from planar_cli.units import parse_unit
 
 HOSTILE = (

@@ -60,11 +60,13 @@ p{margin:.5rem 0}.equation{display:block;margin:.4rem 0 .4rem 2rem;overflow-x:au
 table{border-collapse:collapse;margin:.6rem 0;display:block;overflow-x:auto}th,td{border:1px solid var(--line);
 padding:.25rem .6rem;text-align:left;vertical-align:top}th{background:var(--tint)}
 .answer{border:1.5px solid var(--accent);border-radius:6px;padding:.4rem .8rem;margin:1rem 0;background:var(--tint)}
-.answer ul{margin:.2rem 0;padding-left:1.2rem}li math{math-style:normal}.foot{color:var(--muted);font-size:.92rem}
+.answer ul{margin:.2rem 0;padding-left:1.2rem}.answer li{margin:.3rem 0}li math{math-style:normal}
+.foot{color:var(--muted);font-size:.92rem}
 figure{margin:.8rem 0;text-align:center;overflow-x:auto}figure svg{max-width:100%;height:auto}
 .panels{display:flex;flex-wrap:wrap;justify-content:center;align-items:center;gap:.5rem 1rem}.between{font-size:1.4rem}
 figcaption{flex-basis:100%;font-size:.92rem}
-.muted{color:var(--muted)}math{font-size:1.05em;font-family:"STIX Two Math","Cambria Math","Latin Modern Math",
+.muted{color:var(--muted)}math:has(mfrac,msqrt){margin-block:.15em}
+math{font-size:1.05em;font-family:"STIX Two Math","Cambria Math","Latin Modern Math",
 "Libertinus Math","Noto Sans Math",math}
 @media (max-width:36rem){body{padding:.6rem;font-size:15px}.equation{margin-left:.4rem}summary .aside{float:none;
 display:block;font-size:.92rem}.panels{flex-direction:column}figcaption{flex-basis:auto}}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from planar_cli.homework.own_names import own_names
 from planar_cli.homework.printed_names import printed
-from planar_cli.problem.expression import Name, Negate, Number, Part, PointPair, Quantity, Relation
+from planar_cli.problem.expression import Name, Negate, Number, Part, PointPair, Quantity, Relation, Word
 from planar_cli.problem.placeholders import told
 from planar_cli.problem.scene import Find, Problem
 from planar_cli.problem.walk import walk
@@ -60,6 +60,16 @@ PARTS = {
 }
 ENERGIES = {"KE", "PE", "work", "heat"}
 SEEN = {"v", "a", "r", "omega", "alpha"}
+REACTIONS = {"N", "friction", "reaction", "moment", "tension", "force"}
+"""Of a joint or load, and on which body."""
+IN_MODE = {
+    "stick": "whether it sticks at {}",
+    "slip": "whether it slips at {}",
+    "apart": "whether contact is lost at {}",
+    "tip": "whether it tips at {}",
+    "taut": "whether the rope {} is taut",
+    "slack": "whether the rope {} is slack",
+}
 
 
 def asked_words(find: Find | None) -> str:
@@ -68,7 +78,8 @@ def asked_words(find: Find | None) -> str:
         return ""
     what = find.found.what
     if isinstance(what, Relation):
-        return f"{printed(find.name)}, yes or no"
+        said = _in_mode(what)
+        return f"{said or printed(find.name)}, yes or no"
     if not isinstance(what, Quantity) or what.word not in WORDS or what.word == "dot":
         return printed(find.name)
     said = WORDS[what.word].format(_things(what))
@@ -76,6 +87,19 @@ def asked_words(find: Find | None) -> str:
         said = PARTS[part.kind].format(said) if part.kind in PARTS else said
         said += _direction(part)
     return f"{said}{_when(what)}"
+
+
+def _in_mode(what: Relation) -> str:
+    """The question that `mode(A) = stick @ 2` asks; "" of another relation."""
+    if not (isinstance(what.left, Quantity) and what.left.word == "mode" and isinstance(what.right, Word)):
+        return ""
+    return f"{IN_MODE[what.right.word].format(_things(what.left))}{_when(what.left)}"
+
+
+def mode_asked(find: Find | None) -> str:
+    """The mode of a contact or rope that is asked by yes or no; "" where something else is asked."""
+    what = find.found.what if find is not None else None
+    return what.right.word if isinstance(what, Relation) and _in_mode(what) and isinstance(what.right, Word) else ""
 
 
 def in_case(case: str, part: Problem, whole: Problem, words: str) -> str:
@@ -123,7 +147,7 @@ def _things(what: Quantity) -> str:
         return "the system"
     if len(what.things) == 1:
         return "the whole system" if what.things[0] == "all" else what.things[0]
-    joined = " seen from " if what.word in SEEN else " about "
+    joined = " seen from " if what.word in SEEN else " on " if what.word in REACTIONS else " about "
     return joined.join(what.things[:2])
 
 

@@ -36,6 +36,7 @@ from planar_cli.records import record
 from planar_cli.units import ENERGY, PURE, Unit, parse_unit, pretty_unit
 
 LONGEST_SHOWN = 80
+YES_OR_NO = ("true", "false")
 NO_ANSWERS = frozenset({"", "n/a", "n.a.", "na", "-", "--", "–", "—", "?", "??", "???", "…", "..."})
 """What stands where somebody has no answer."""
 SIGN = "the sign or sense is not right"
@@ -126,7 +127,7 @@ def _graded(task: Task, expected: Expected, text: str | None, rules: Rules) -> t
     try:
         answer = typed.read(text, expected.kind, rules.comma)
         if expected.kind == "word":
-            return _of_word(blank, answer.word == expected.text, rules), None
+            return _of_word(blank, _is_so(answer.word, expected), rules), None
         if expected.kind in ("formula", "equation"):
             return _of_formula(blank, expected, answer.formula, rules)
         return _of_numbers(blank, expected, answer, rules)
@@ -168,6 +169,13 @@ def _of_formula(blank: Graded, expected: Expected, text: str, rules: Rules) -> t
             one = replace(one, message=NOT_RIGHT)
     one = replace(one, message="; ".join(filter(None, (one.message, *found.notes))))
     return one, values_of(expected, found.text) if one.value == WRONG else None
+
+
+def _is_so(word: str, expected: Expected) -> bool:
+    """Of a mode that is asked by yes or no, its own name will do as well: slips is no to whether it sticks."""
+    if expected.mode and word not in YES_OR_NO:
+        word = YES_OR_NO[word != expected.mode]
+    return word == expected.text
 
 
 def _of_word(blank: Graded, right: bool, rules: Rules) -> Graded:

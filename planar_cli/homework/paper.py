@@ -85,6 +85,8 @@ class Expected:
     """Of a vector: the directions of the straight surfaces and guides of the problem, in radians from +x."""
     size: bool = False
     """Is it the magnitude of a vector?"""
+    mode: str = ""
+    """Of whether a contact or a rope is in a mode, which one: stick."""
     us: bool = False
     """Are its base units ft, slug and s?"""
     gravity: float = 0.0

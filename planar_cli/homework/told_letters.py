@@ -9,9 +9,10 @@ import sympy as sp
 
 from planar_cli.base_units import in_base
 from planar_cli.homework.given_letters import given_numbers, pure_numbers
+from planar_cli.homework.key_text import shown
 from planar_cli.homework.paper import Expected
 from planar_cli.homework.told_formula import ToldFormula
-from planar_cli.homework.worked_problem import WorkedProblem, shown
+from planar_cli.homework.worked_problem import WorkedProblem
 from planar_cli.solve.solved_problem import Solution
 from planar_cli.units import parse_unit, pretty_unit
 

@@ -4,11 +4,9 @@ and what typical mistakes give; all from its equations, which are solved once.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
-from decimal import ROUND_HALF_UP, Decimal
 from functools import lru_cache
 from typing import Any
 
@@ -17,8 +15,9 @@ import sympy as sp
 
 from planar_cli.base_units import in_base
 from planar_cli.errors import FileProblem, Mark, PlanarError, Undecided
-from planar_cli.homework.asked_words import asked_words, couples_of, in_case, is_energy
+from planar_cli.homework.asked_words import asked_words, couples_of, in_case, is_energy, mode_asked
 from planar_cli.homework.headings import heading_of, lines_of
+from planar_cli.homework.key_text import key_text
 from planar_cli.homework.literal_angles import with_names
 from planar_cli.homework.marked_solution import has_letters, marked_solution, plainly_read
 from planar_cli.homework.mistakes.base import Mistake, Model
@@ -41,7 +40,7 @@ from planar_cli.replay.written import equations_of, is_mode
 from planar_cli.solve.instant.verify import Disagreement
 from planar_cli.solve.solution import Found
 from planar_cli.solve.solved_problem import PartSolution, Solution
-from planar_cli.units import Unit, pretty_unit
+from planar_cli.units import Unit
 
 TURNING = ("omega", "alpha", "theta", "H", "moment", "I")
 """Quantities that count positive counterclockwise."""
@@ -275,7 +274,7 @@ def expected_of(
         _kind(found),
         values,
         unit,
-        _text(found, unit, values, _sense(what, bool(rotation), axis)),
+        key_text(found, unit, values, _sense(what, bool(rotation), axis)),
         tolerance_of(problem.problem, found.name),
         scale,
         rotation and (len(values) == 1 or found.values is None),
@@ -284,6 +283,7 @@ def expected_of(
         heading=heading_of(what, equations, own),
         lines=lines_of(part.problem, equations, own) if len(values) == 2 else (),
         size=last == "mag",
+        mode=mode_asked(found.find),
         us=problem.problem.us,
         gravity=gravity_of(equations, own, problem.problem.us),
     )
@@ -300,7 +300,7 @@ def with_other_number(base: Expected, found: Found, value: float) -> Expected | 
     if base.kind != "number" or base.heading is not None:
         return None
     what = found.find.found.what if found.find is not None else None
-    text = _text(found, base.unit, (value,), _sense(what, base.rotation, base.axis))
+    text = key_text(found, base.unit, (value,), _sense(what, base.rotation, base.axis))
     return replace(base, values=(value,), text=text)
 
 
@@ -310,33 +310,6 @@ def _kind(found: Found) -> str:
     if found.values is None:
         return "equation" if found.kind == "curve" else "formula"
     return found.kind if found.kind in ("vector", "list") else "number"
-
-
-def _text(found: Found, unit_text: str, values: Sequence[float], sense: tuple[str, str]) -> str:
-    """As a key tells it: four figures, the unit, the sense in words. `sense`: of plus and of minus; "" where the number
-    has its sign.
-    """
-    if found.word:
-        return found.word
-    unit = pretty_unit(unit_text)
-    behind = unit if unit == "°" else f" {unit}" if unit else ""
-    if len(values) == 1 and sense[0] and values[0]:
-        return f"{shown(abs(values[0]))}{behind} {sense[values[0] < 0]}"
-    numbers = ", ".join(shown(v) for v in values)
-    return f"[{numbers}]{behind}" if len(values) > 1 else f"{numbers}{behind}"
-
-
-def shown(value: float, figures: int = 4) -> str:
-    """A number with so many significant figures, without an exponent where it is of ordinary size."""
-    if not value or not math.isfinite(value):
-        return "0" if not value else str(value)
-    if not 1e-4 <= abs(value) < 1e7:
-        return f"{value:.{figures - 1}e}"
-    places = max(figures - 1 - math.floor(math.log10(abs(value))), 0)
-    # Half a unit is rounded up, as on the page: 14.715 is 14.72, whatever its last binary digit.
-    text = str(Decimal(f"{value:.12g}").quantize(Decimal(1).scaleb(-places), ROUND_HALF_UP))
-    exact = f"{value:.10g}"
-    return exact if len(exact) < len(text) and "e" not in exact else text
 
 
 def tolerance_of(problem: Problem, find: str) -> float:

@@ -74,9 +74,10 @@ def _quantity(word: str, thing: str, part: str | None, state: str | None, names:
     name = f"{LETTERS[word]}_{thing}"
     if part in AXES:
         name += part if len(thing) <= SHORT and part in ("x", "y") else f"_{part}"
+    letter = Name(f"{name}__{state}" if state else name, of_thing=True)
     if part == "mag":
-        return line("|", Name(name, of_thing=True), "|", behind)
-    return line(PARTS.get(part or "", ""), *_way(part, names), Name(name, of_thing=True), _towards(part), behind)
+        return line("|", letter, "|")
+    return line(PARTS.get(part or "", ""), *_way(part, names), letter, _towards(part))
 
 
 def _towards(part: str | None) -> str:
