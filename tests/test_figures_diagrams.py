@@ -150,3 +150,11 @@ def test_what_is_given_against_its_letter_is_not_found() -> None:
     """The ball comes down, as the file says."""
     notes = ["".join(map(plain, f.note)) for f in diagrams("ball-on-a-rough-floor")]
     assert "given: m*v_Gy__1 downward" in notes
+
+
+def test_a_spring_that_only_pushes_is_drawn_pushing_with_a_positive_size() -> None:
+    """Two nested springs on which a weight has fallen: k (l - y) upward, as the equations count them."""
+    free = diagrams("weight-dropped-on-nested-springs")[0].panels[0]
+    arrows = [m for m in free.marks if isinstance(m, Arrow)]
+    told = {"".join(map(plain, m.words)): round(math.degrees(m.angle)) for m in arrows}
+    assert told == {"W": -90, "k_1*(l_1 - y_P)": 90, "k_2*(l_2 - y_P)": 90}

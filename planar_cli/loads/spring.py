@@ -109,7 +109,9 @@ class Spring(Load):
         if scene.vanishes(length):
             raise scene.refuse(self.mark, "PL541", f"the ends of {self.name} coincide: the spring has no direction")
         told = scene.lettered_length(end - start, f"l_{self.name}" if self.name else "l_s", self.called)
-        tension = scene.value(self.stiffness) * self._stretch(scene, told)
+        stiffness, longer = scene.value(self.stiffness), self._stretch(scene, told)
+        # What only pushes counts how much shorter it is: k (l0 - l) stands on the page, the size of its push.
+        tension = -(stiffness * -longer) if self.acts == "push" else stiffness * longer
         along = (end - start) / length
         ends = ((self.between[0], start, along), (self.between[1], end, -along))
         return tuple(Wrench(self.name, "spring", scene.owner(p), at, d * tension, 0, tension) for p, at, d in ends)
