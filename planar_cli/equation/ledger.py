@@ -295,7 +295,8 @@ class Ledger:
             low, high = self.ranges[symbol.name]
             return low + (high - low) * number
         if self.units[symbol].angle and self.units[symbol].dimension == PURE:
-            return PI * (Decimal("0.08") + Decimal("0.36") * number)
+            # Moderate ones, as in a drawing, on either side of an eighth of a turn.
+            return PI * (Decimal("0.09") + Decimal("0.24") * number)
         size = ROUGH if symbol.name in self.coefficients else self.natural(symbol)
         return (Decimal("0.5") + Decimal("1.5") * number) * size
 
