@@ -14,7 +14,7 @@ from planar_cli.figures.illustrated import figures_of, illustrated
 from planar_cli.formats._paper import runs_of
 from planar_cli.formats._svg import svg
 from planar_cli.report.blocks import Answer, Drawing, Line
-from planar_cli.report.marks import Arrow, Figure, Panel, Polyline, Span, Spot
+from planar_cli.report.marks import Angle, Arrow, Figure, Panel, Polyline, Span, Spot
 from planar_cli.report.narrate import narrate
 
 
@@ -124,3 +124,12 @@ def test_sizes_that_are_found_by_rates_of_coordinates_have_them_as_components() 
     velocity, acceleration = figures("ex-1-12")["vectors of P"].panels
     assert {name.strip("|") for name in vectors(velocity)} == {"v_P", "ẋ_P", "ẏ_P"}
     assert {name.strip("|") for name in vectors(acceleration)} == {"a_P", "ẍ_P", "ÿ_P"}
+
+
+def test_polar_coordinates_that_are_given_are_drawn_in_the_scene() -> None:
+    marks = figures("polar-motion")["scene"].panels[0].marks
+    (angle,) = (m for m in marks if isinstance(m, Angle))
+    assert (angle.vertex, told(angle.words)) == ((0.0, 0.0), "θ")
+    assert angle.sweep == pytest.approx(0.8)
+    (way,) = (m.places for m in marks if isinstance(m, Polyline) and m.style == "thin")
+    assert math.dist(*way) == pytest.approx(3.0)

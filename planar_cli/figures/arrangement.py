@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from planar_cli.figures.arms import turned_arm
 from planar_cli.figures.belts import belt_marks, frame_marks
 from planar_cli.figures.carried import shifted
 from planar_cli.figures.drawn import Drawn
@@ -21,7 +22,7 @@ from planar_cli.figures.orbits import on_orbits
 from planar_cli.figures.outlines import edges
 from planar_cli.figures.parallel import with_parallel_ropes
 from planar_cli.figures.partners import between, is_slot, partners, sketch_of, sliders, touching
-from planar_cli.figures.paths import course_of, curve_of
+from planar_cli.figures.paths import course_of, curve_of, pole_of
 from planar_cli.figures.positions import (
     Later,
     asked_places,
@@ -97,7 +98,7 @@ def arrangement(part: PartSolution, whole: Mapping[str, tuple[Spot, ...]]) -> Pa
         curves = [whole.get(name) or curve_of(drawn, name) or course_of(drawn, name) for name in particles]
         ways = [Polyline(curve, "way") for curve in curves if len(curve) > 1]
         marks = tuple(_marks(drawn, moving, problem.joints))
-        return _panel((*marks, *ways, *_pole(drawn, marks, ways)))
+        return _panel((*marks, *ways, *_pole(drawn, marks, ways), *_arms(drawn, particles)))
     size = extent_of([s for m in _marks(drawn, moving, joints) for s in spots_of(m)])
     places = brought_near(places, size)
     marks = tuple(_marks(drawn, moving, joints, places[1:]))
@@ -228,6 +229,14 @@ def _origin(measures: Sequence[Mark], tagged: dict[str, Spot]) -> Iterator[Mark]
     if len(across) == 2 and all(math.hypot(*s) > 1e-9 for s in tagged.values()):
         yield Symbol("origin", (0.0, 0.0))
         yield Tag((0.0, 0.0), line(Name("0" if "O" in tagged else "O")))
+
+
+def _arms(drawn: Drawn, particles: Sequence[str]) -> Iterator[Mark]:
+    """r and θ of particles whose polar coordinates the file tells."""
+    for name in particles:
+        pole, at = pole_of(drawn, name), drawn.spot(drawn.scene.bodies[name].center)
+        if pole is not None and at is not None and math.dist(pole, at) > ON:
+            yield from turned_arm(pole, at)
 
 
 def _pole(drawn: Drawn, marks: Sequence[Mark], ways: Sequence[Polyline]) -> Iterator[Mark]:

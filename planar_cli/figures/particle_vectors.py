@@ -11,6 +11,7 @@ from typing import Literal
 
 import sympy as sp
 
+from planar_cli.figures.arms import arm, turned_arm
 from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.motions_in_states import moving_in
 from planar_cli.figures.point_paths import way_of_point
@@ -21,7 +22,7 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
 from planar_cli.records import record
 from planar_cli.report.blocks import Line, Name, line
-from planar_cli.report.marks import Angle, Arrow, Figure, Mark, Panel, Polyline, Span, Spot, Style, Symbol, Tag
+from planar_cli.report.marks import Arrow, Figure, Mark, Panel, Polyline, Span, Spot, Style, Symbol, Tag
 from planar_cli.report.names import index_of
 from planar_cli.solve.solution import Found
 from planar_cli.solve.solved_problem import PartSolution
@@ -260,18 +261,14 @@ def _has_arm(place: Place) -> bool:
 
 def _arm(place: Place) -> Iterator[Mark]:
     """The pole, r from there, and θ from its zero."""
-    far = math.dist(place.pole, place.at)
-    angle = math.atan2(place.at[1] - place.pole[1], place.at[0] - place.pole[0])
     name = place.asked.pole
     yield Symbol("point", place.pole)
     yield Tag(place.pole, line(Name(index_of(name)) if name else "O"))
-    yield Polyline((place.pole, place.at), "thin")
-    usual = PLACE if place.asked.system == "polar" else f"{PLACE}_{index_of(place.asked.point)}"
-    yield Tag(moved(place.pole, angle, far / 2), line(Name(_called(place, PLACE, "", usual))))
-    if place.asked.system != "polar" or abs(angle) < FLAT:
-        return
-    yield Polyline((place.pole, moved(place.pole, 0.0, far / 2)), "dashed")
-    yield Angle(place.pole, 0.0, angle, line("-" if angle < 0 else "", Name("theta")))
+    if place.asked.system == "polar":
+        yield from turned_arm(place.pole, place.at)
+    else:
+        letter = _called(place, PLACE, "", f"{PLACE}_{index_of(place.asked.point)}")
+        yield from arm(place.pole, place.at, line(Name(letter)))
 
 
 def _middle(place: Place) -> Iterator[Mark]:

@@ -79,6 +79,14 @@ def course_of(drawn: Drawn, name: str) -> tuple[Spot, ...]:
     return ()
 
 
+def pole_of(drawn: Drawn, name: str) -> Spot | None:
+    """The point from which the file tells the distance and the direction of another one by formulas; None: it does
+    not.
+    """
+    poles = [pole for (pole, polar), sides in _laws_of_place(drawn, name).items() if polar and len(sides) > 1]
+    return next((drawn.spot(drawn.scene.points[p]) if p in drawn.scene.points else (0.0, 0.0) for p in poles), None)
+
+
 def _laws_of_place(drawn: Drawn, name: str) -> dict[tuple[str, bool], dict[str, Side]]:
     """The formulas of where a point is, seen from another one (""; from the origin), by their parts; True: polar."""
     found: dict[tuple[str, bool], dict[str, Side]] = {}
