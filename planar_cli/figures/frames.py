@@ -11,6 +11,7 @@ from planar_cli.figures.arrangement import ALONE
 from planar_cli.figures.belts import belt_marks
 from planar_cli.figures.carried import Pose, carried
 from planar_cli.figures.drawn import named_body
+from planar_cli.figures.hanging import hanging, hangs_along
 from planar_cli.figures.joints_drawn import sketch_marks
 from planar_cli.figures.outlines import edges, lying
 from planar_cli.figures.over_time import reached
@@ -101,7 +102,8 @@ class _Stage:
         """Surfaces, bodies, what joins and moves them, points with their names."""
         first_pose, models = self.poses[0], [self.poses[0].model(b) for b in self.problem.bodies]
         lie = {n: (first_pose.spot(self.scene.center(n)), a) for n, a in lying(first_pose).items()}
-        standing = {n: Symbol("block", spot, angle) for n, (spot, angle) in lie.items() if spot is not None}
+        standing = hanging(first_pose)
+        standing |= {n: Symbol("block", spot, angle) for n, (spot, angle) in lie.items() if spot is not None}
         shaped = frozenset[str]().union(*(edges(first_pose, model) for model in models))
         for surface in self.problem.surfaces:
             if surface.name in shaped:
@@ -202,7 +204,8 @@ class _Stage:
 
     def _sketched(self, entry: Entry) -> list[tuple[Mark, ...]]:
         """What a joint or load looks like at each moment; nothing while it does not act."""
-        sketches, name = sketch_of(self.poses[0], entry), line(entry.name)
+        hung, name = hanging(self.poses[0]), line(entry.name)
+        sketches = [s for s in sketch_of(self.poses[0], entry) if not hangs_along(self.poses[0], s, hung)]
         shots = [
             tuple(m for s in sketches for m in sketch_marks(pose, s, name)) if self._acts(entry, t) else ()
             for t, pose in zip(self.times, self.poses, strict=True)
