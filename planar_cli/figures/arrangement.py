@@ -40,6 +40,7 @@ from planar_cli.figures.side_by_side import BOX, POINT, side_by_side
 from planar_cli.figures.springs import settled
 from planar_cli.figures.state_measures import state_measures
 from planar_cli.figures.surfaces import surface_marks
+from planar_cli.figures.unguided import is_idle, led_blocks
 from planar_cli.figures.within import within
 from planar_cli.joints.base import Joint
 from planar_cli.problem.scene import Circle, Line, Particle, Problem, Round, Surface
@@ -163,12 +164,12 @@ def _marks(drawn: Drawn, moving: Moving | None, joints: Sequence[Joint], later: 
                 on_it = [name for name in sliders(problem, surface) if name in masses]
                 standing |= {name: Symbol("block", masses[name], along) for name in on_it}
     aside = side_by_side(drawn, moving, joints, extent_of([*points.values(), *centers]))
-    hung = {n: block for n, block in hanging(drawn).items() if n not in standing}
+    hung = {n: block for n, block in {**led_blocks(drawn), **hanging(drawn)}.items() if n not in standing}
     sketched = [
         shifted(m, aside.get(getattr(entry, "body", ""), (0.0, 0.0)))
         for entry in (*problem.joints, *problem.loads)
         for s in sketch_of(drawn, entry)
-        if not hangs_along(drawn, s, hung)
+        if not hangs_along(drawn, s, hung) and not is_idle(drawn, entry, s)
         for m in sketch_marks(drawn, s, line(entry.name), slid_to(later, entry, s))
     ]
     sliding = {m.at for m in sketched if isinstance(m, Symbol) and m.kind in ("slider", "rail", "block")}

@@ -8,7 +8,7 @@ from functools import singledispatch
 from typing import Any
 
 from planar_cli.figures.drawn import Drawn, brief, size_of, words_of
-from planar_cli.figures.floors import slide_marks
+from planar_cli.figures.floors import STEEP, slide_marks
 from planar_cli.figures.partners import pivot_of
 from planar_cli.figures.rings import extent_of
 from planar_cli.figures.ropes import Stop, cord_marks, straight
@@ -42,7 +42,19 @@ def sketch_marks(drawn: Drawn, sketch: Sketch, name: Line, later: Sequence[Spot]
     """What a joint or load looks like. `name`: what a force is called whose size the file does not give in short;
     `later`: where what slides along a track comes to.
     """
-    return slide_marks(drawn, sketch, later) if isinstance(sketch, Slide) else _drawn(sketch, drawn, name)
+    if not isinstance(sketch, Slide):
+        yield from _drawn(sketch, drawn, name)
+        return
+    yield from slide_marks(drawn, sketch, later)
+    at, along = drawn.spot(sketch.at), drawn.angle(sketch.along)
+    if sketch.pinned and at is not None and along is not None:
+        yield Symbol("support", at, _beside(drawn, at) if abs(math.sin(along)) > STEEP else 0.0)
+
+
+def _beside(drawn: Drawn, at: Spot) -> float:
+    """How a support is turned that stands beside something upright, on the side where less of the scene is."""
+    xs = [x for x, _ in drawn.everything()]
+    return -math.pi / 2 if sum(xs) > len(xs) * at[0] else math.pi / 2
 
 
 @singledispatch

@@ -11,8 +11,8 @@ from planar_cli.report.marks import Coil, Dashpot, Mark, Polyline, Spot, Symbol
 
 LANE = 20.0
 """So far apart are two between the same places, px."""
-HALF, RAISED = 13.0, 10.0
-"""Half the width of a block or slider, and the height of its middle above what it stands on, px."""
+HALF, RAISED, HIGH = 13.0, 10.0, 20.8
+"""Half the width of a block or slider, and the height of its middle and its top above what it stands on, px."""
 ALONG = 0.2
 """What stands within this sine of its own direction is met at its side."""
 NEAR = 1e-6
@@ -87,6 +87,8 @@ def _up_to(strut: Strut, blocks: Sequence[Symbol], areas: Sequence[tuple[Spot, .
         block = next((b for b in blocks if math.dist(b.at, end) < NEAR), None)
         if block is not None and abs(math.sin(way - block.angle)) < ALONG:
             cuts[i] = HALF
+        elif block is not None and block.kind == "block" and math.sin(way - block.angle) > 1 - ALONG:
+            cuts[i] = HIGH
         for area in areas if block is None else ():
             ahead = [far for far in meets(area, end, way) if far > NEAR]
             if inside(area, end, NEAR) and not inside(area, other) and ahead:

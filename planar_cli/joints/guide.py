@@ -99,7 +99,8 @@ class Guide(Joint):
         whole = self.body or (None if joining.mover == GROUND or scene.rigid(joining.mover) else joining.mover)
         drawn = joining.base == GROUND and scene.names_carrier(self._track())
         carrier = None if joining.base == GROUND else joining.base
-        return (Slide(joining.point, along, GROUND in (joining.base, joining.mover), whole, drawn, carrier),)
+        grounded, pinned = joining.base == GROUND, joining.mover == GROUND
+        return (Slide(joining.point, along, grounded, whole, drawn, carrier, pinned),)
 
     def modes(self, scene: Setting) -> tuple[Mode, ...]:
         joining, normal = self._joining(scene)

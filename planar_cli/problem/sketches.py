@@ -27,7 +27,7 @@ class Hinge:
 class Slide:
     """A slider at a place on a straight track along a direction. `grounded`: the track is fixed. `body`: the whole body
     that slides, unable to turn, or the particle. `drawn`: its track is a surface of the file. `carrier`: the body in
-    which the track is.
+    which the track is. `pinned`: the place itself is fixed, and the body with the track slides and turns over it.
     """
 
     at: Vec
@@ -36,6 +36,7 @@ class Slide:
     body: str | None = None
     drawn: bool = False
     carrier: str | None = None
+    pinned: bool = False
 
 
 @record
