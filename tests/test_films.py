@@ -123,6 +123,6 @@ def test_ropes_of_one_direction_stay_parallel() -> None:
 
 
 def test_loads_on_a_rope_over_a_pulley_are_blocks_in_a_film_too() -> None:
-    shots = [m for t in film_of("body-atwood-with-heavy-pulley").things for m in t.shots[0]]
+    shots = [m for t in film_of("winch-with-counterweight").things for m in t.shots[0]]
     blocks = [m for m in shots if isinstance(m, Symbol) and m.kind == "block"]
     assert [math.cos(block.angle) for block in blocks] == [pytest.approx(-1.0)] * 2
