@@ -251,3 +251,12 @@ def test_flights_in_a_scene_of_letters_are_bent() -> None:
     first = (a[1][0] - a[0][0], a[1][1] - a[0][1])
     assert math.degrees(math.atan2(first[1], first[0])) == pytest.approx(30, abs=1), "as it is thrown"
     assert max(y for _, y in a) > a[-1][1] + 0.05
+
+
+def test_what_acts_later_or_is_nothing_only_at_first_is_drawn() -> None:
+    """A blow between two states; a force that grows with the time."""
+    for stem in ("ex-4-13", "ex-4-12"):
+        solution = worked(named(stem))[0]
+        scene = dict(figures_of(illustrated(narrate(solution), solution)))["scene"]
+        arrows = [m for m in scene.panels[0].marks if isinstance(m, Arrow) and m.style == "force"]
+        assert len(arrows) == 1, stem

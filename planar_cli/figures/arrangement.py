@@ -43,6 +43,7 @@ from planar_cli.figures.surfaces import surface_marks
 from planar_cli.figures.unguided import is_idle, led_blocks
 from planar_cli.figures.within import within
 from planar_cli.joints.base import Joint
+from planar_cli.loads.base import Load
 from planar_cli.problem.scene import Circle, Line, Particle, Problem, Round, Surface
 from planar_cli.problem.sketches import Cord, Slide
 from planar_cli.report.blocks import Name, line
@@ -88,8 +89,8 @@ def arrangement(part: PartSolution, whole: Mapping[str, tuple[Spot, ...]]) -> Pa
         drawn = Drawn.in_state(motion, (states or motion.states)[0]) or drawn
     regimes = motion.regimes if motion is not None else ()
     moving = Found.of(drawn, (*(r.solution for r in regimes), instant))
-    joints = (motion.problem if motion is not None else problem).joints
-    drawn = with_parallel_ropes(drawn, joints)
+    whole_time = motion.problem if motion is not None else problem
+    drawn = with_parallel_ropes(drawn, whole_time.joints)
     moving = replace(moving, drawn=drawn) if moving is not None else None
     timed = motion is not None and states
     places = positions(drawn, motion, states) if motion and timed else positions_of_instants(drawn, part.instants)
@@ -98,11 +99,11 @@ def arrangement(part: PartSolution, whole: Mapping[str, tuple[Spot, ...]]) -> Pa
         particles = [name for name, body in bodies.items() if isinstance(body.shape, Particle)]
         curves = [whole.get(name) or curve_of(drawn, name) or course_of(drawn, name) for name in particles]
         ways = [Polyline(curve, "way") for curve in curves if len(curve) > 1]
-        marks = tuple(_marks(drawn, moving, problem.joints))
+        marks = tuple(_marks(drawn, moving, problem))
         return _panel((*marks, *ways, *_pole(drawn, marks, ways), *_arms(drawn, particles)))
-    size = extent_of([s for m in _marks(drawn, moving, joints) for s in spots_of(m)])
+    size = extent_of([s for m in _marks(drawn, moving, whole_time) for s in spots_of(m)])
     places = brought_near(places, size)
-    marks = tuple(_marks(drawn, moving, joints, places[1:]))
+    marks = tuple(_marks(drawn, moving, whole_time, places[1:]))
     later = (*position_marks(places, motion, part.run, marks), *asked_places(places, problem))
     return _panel((*marks, *on_orbits(later, part), *state_measures(places, problem)))
 
@@ -110,7 +111,7 @@ def arrangement(part: PartSolution, whole: Mapping[str, tuple[Spot, ...]]) -> Pa
 def arranged(drawn: Drawn) -> Panel:
     """A scene in one position."""
     drawn = with_parallel_ropes(drawn, drawn.scene.problem.joints)
-    return _panel(tuple(_marks(drawn, Told(drawn), drawn.scene.problem.joints)))
+    return _panel(tuple(_marks(drawn, Told(drawn), drawn.scene.problem)))
 
 
 def followed_arrangement(run: Run) -> Panel | None:
@@ -118,11 +119,10 @@ def followed_arrangement(run: Run) -> Panel | None:
     drawn = Drawn.at_first(run.problem, run.settings.values)
     if drawn is None:
         return None
-    joints = run.problem.joints
-    drawn = with_parallel_ropes(drawn, joints)
-    size = extent_of([s for m in _marks(drawn, Told(drawn), joints) for s in spots_of(m)])
+    drawn = with_parallel_ropes(drawn, run.problem.joints)
+    size = extent_of([s for m in _marks(drawn, Told(drawn), run.problem) for s in spots_of(m)])
     places = brought_near(followed_positions(drawn, run), size)
-    marks = tuple(_marks(drawn, Told(drawn), joints, places[1:]))
+    marks = tuple(_marks(drawn, Told(drawn), run.problem, places[1:]))
     return _panel((*marks, *position_marks(places, None, run, marks), *state_measures(places, run.problem)))
 
 
@@ -133,9 +133,9 @@ def _panel(marks: tuple[Mark, ...]) -> Panel:
     return Panel(tuple(settled(marks)), least=ALONE if signs and placed < 3 * BOX / POINT else 0.0)
 
 
-def _marks(drawn: Drawn, moving: Moving | None, joints: Sequence[Joint], later: Sequence[Later] = ()) -> Iterator[Mark]:
-    """`joints`: those of the whole file, whenever they hold; `later`: further positions, to which surfaces go on."""
-    scene, problem = drawn.scene, drawn.scene.problem
+def _marks(drawn: Drawn, moving: Moving | None, whole: Problem, later: Sequence[Later] = ()) -> Iterator[Mark]:
+    """`whole`: with all joints and loads, whenever they act; `later`: further positions, to which surfaces go on."""
+    scene, problem, joints = drawn.scene, drawn.scene.problem, whole.joints
     points = {n: s for n, p in scene.points.items() if (s := drawn.spot(p)) is not None}
     masses = {n: s for n, b in scene.bodies.items() if (s := drawn.spot(b.center)) is not None}
     centers, named = list(masses.values()), {**masses, **points}
@@ -167,7 +167,7 @@ def _marks(drawn: Drawn, moving: Moving | None, joints: Sequence[Joint], later: 
     hung = {n: block for n, block in {**led_blocks(drawn), **hanging(drawn)}.items() if n not in standing}
     sketched = [
         shifted(m, aside.get(getattr(entry, "body", ""), (0.0, 0.0)))
-        for entry in (*problem.joints, *problem.loads)
+        for entry in (*problem.joints, *_loads(problem, whole))
         for s in sketch_of(drawn, entry)
         if not hangs_along(drawn, s, hung) and not is_idle(drawn, entry, s)
         for m in sketch_marks(drawn, s, line(entry.name), slid_to(later, entry, s))
@@ -193,6 +193,12 @@ def _marks(drawn: Drawn, moving: Moving | None, joints: Sequence[Joint], later: 
         yield from arrows_apart(given_motion_marks(moving, problem, aside), sketched)
     yield Axes(problem.plane == "vertical")
     yield from names_of_bodies(drawn, problem, tagged)
+
+
+def _loads(problem: Problem, whole: Problem) -> tuple[Load, ...]:
+    """Those that act at first, then those that act later, such as a blow."""
+    first = {load.name for load in problem.loads}
+    return (*problem.loads, *(load for load in whole.loads if load.name not in first))
 
 
 def _pressed(

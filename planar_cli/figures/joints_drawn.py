@@ -13,7 +13,7 @@ from planar_cli.figures.partners import pivot_of
 from planar_cli.figures.rings import extent_of
 from planar_cli.figures.ropes import Stop, cord_marks, straight
 from planar_cli.figures.shapes import moved
-from planar_cli.problem.expression import Quantity, Side
+from planar_cli.problem.expression import Name, Quantity, Side
 from planar_cli.problem.keys import Table
 from planar_cli.problem.sketches import (
     Absorber,
@@ -160,14 +160,20 @@ def _loop(sketch: Loop, drawn: Drawn, name: Line) -> Iterator[Mark]:
 @_drawn.register
 def _push(sketch: Push, drawn: Drawn, name: Line) -> Iterator[Mark]:
     at, angle = drawn.spot(sketch.at), drawn.angle(sketch.direction)
-    # What is nothing, as the speed of what leaks out, has no arrow.
-    idle = not isinstance(sketch.size, Table | None) and drawn.length(sketch.size) == 0
+    # What is nothing, as the speed of what leaks out, has no arrow; what is nothing only at first has one.
+    size = None if isinstance(sketch.size, Table) else sketch.size
+    idle = size is not None and drawn.length(size) == 0 and (sketch.flows or not _varies(size))
     if at is not None and angle is not None and not idle:
         words = name if sketch.size is None or isinstance(sketch.size, Table) else words_of(sketch.size) or name
         if sketch.unwinds:
             drum, at = at, moved(at, angle, CORD * (extent_of(drawn.at_rest().everything()) or 1.0))
             yield Polyline((drum, at), "rope")
         yield Arrow(at, angle, "velocity" if sketch.flows else "force", words, inward=sketch.inward)
+
+
+def _varies(size: Side) -> bool:
+    """Does it go with the time or with the motion?"""
+    return any(isinstance(n, Quantity) or (isinstance(n, Name) and n.name == "t") for n in walk(size))
 
 
 @_drawn.register
