@@ -158,3 +158,29 @@ def test_a_spring_that_only_pushes_is_drawn_pushing_with_a_positive_size() -> No
     arrows = [m for m in free.marks if isinstance(m, Arrow)]
     told = {"".join(map(plain, m.words)): round(math.degrees(m.angle)) for m in arrows}
     assert told == {"W": -90, "k_1*(l_1 - y_P)": 90, "k_2*(l_2 - y_P)": 90}
+
+
+def notes(stem: str) -> list[str]:
+    return ["".join(map(plain, figure.note)) for figure in diagrams(stem)]
+
+
+def test_a_size_in_letters_is_told_against_its_arrow_where_its_angles_are_as_drawn() -> None:
+    """A ball thrown off a wedge to the left; and a cut cord, where with the sense of one vector that of all is told."""
+    assert notes("ball-on-a-sliding-wedge") == ["", *["found: m*v_ball_x__2 to the left"] * 2]
+    told = "found: m*(L*alpha/2) downward, I*alpha clockwise; as drawn here: a_A_t*m down to the left"
+    assert notes("bar-when-one-of-its-cords-is-cut")[1] == told
+
+
+def test_what_is_against_its_arrow_in_states_of_a_motion_is_told_of_them() -> None:
+    told = notes("pendulum-on-a-wagon"), notes("rod-falling-on-a-smooth-floor")
+    assert told == (
+        ["", "at 1 opposite to its arrow: a_ball_wagon_t*m"],
+        ["at 2 opposite to their arrows: m*(alpha*l/2), I*alpha"],
+    )
+
+
+def test_a_given_acceleration_is_drawn_the_way_it_is() -> None:
+    """a_wedge = -a, to the left: m a."""
+    kinetic = diagrams("block-carried-by-an-accelerated-wedge")[0].panels[1]
+    (arrow,) = [m for m in kinetic.marks if isinstance(m, Arrow)]
+    assert ("".join(map(plain, arrow.words)), round(math.degrees(arrow.angle))) == ("a*m", 180)

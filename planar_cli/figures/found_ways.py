@@ -8,18 +8,19 @@ from __future__ import annotations
 import math
 import re
 from collections import ChainMap
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from decimal import Decimal
 
 from sympy import Expr, Integer, Rational, Symbol
 
-from planar_cli.equation.bounds import certain_sign
 from planar_cli.equation.exact import Valuation
+from planar_cli.figures.written_out import formulas_of, sign_of, states_against, written_out
 from planar_cli.problem.expression import Quantity
 from planar_cli.report.blocks import Forces, Inline, Line, Math, line
 from planar_cli.report.marks import Arrow, Panel, Turn
 from planar_cli.report.numbers import rotation_words
 from planar_cli.solve.between.trace import ImpactEquation, MotionTrace, RouteStep
+from planar_cli.solve.instant.worked import unknowns_of
 from planar_cli.solve.solution import InstantSolution
 from planar_cli.solve.solved_problem import PartSolution, Solution
 
@@ -49,14 +50,43 @@ def note_of(panels: Sequence[Panel], row: Forces, solution: Solution) -> Line:
     data = _data(row, solution)
     given = [m for m in against.values() if _size(m.words).free_symbols <= data]
     found = [m for m in against.values() if m not in given]
+    others = {repr(m.words): m for m in drawn if m not in against.values()}
+    # Where the sense of one is told, all are.
+    here = [m for m in others.values() if against and _is_against_here(m.words, row, solution)]
+    heads = (("given: ", given), ("found: ", found), ("as drawn here: ", here))
     parts: list[list[Inline | str]] = [[*legend]]
-    parts += [[head, *_told(own)] for head, own in (("given: ", given), ("found: ", found)) if own]
+    parts += [[head, *_told(own)] for head, own in heads if own]
+    parts += _by_states([m for m in others.values() if m not in here], row, solution)
     told = [piece for part in parts if part for piece in ("; ", *part)]
     return line(*told[1:])
 
 
 def _told(marks: Sequence[Arrow | Turn]) -> list[Inline | str]:
     return [piece for m in marks for piece in (", ", *m.words, f" {_opposite(m)}")][1:]
+
+
+def _by_states(marks: Sequence[Arrow | Turn], row: Forces, solution: Solution) -> Iterator[list[Inline | str]]:
+    """What is against its arrow in states of a motion in numbers: at 1 opposite to its arrow: m a_t."""
+    told: dict[tuple[str, ...], list[Arrow | Turn]] = {}
+    for mark in marks:
+        size = _size(mark.words)
+        motions = (p.motion for p in solution.parts if p.motion is not None and not p.motion.value.drawn)
+        states = next((found for m in motions if (found := states_against(size, row, m))), ())
+        if states and size.free_symbols:
+            told.setdefault(states, []).append(mark)
+    for states, own in told.items():
+        which = "its arrow" if len(own) == 1 else "their arrows"
+        yield [f"at {' and '.join(states)} opposite to {which}: ", *[p for m in own for p in (", ", *m.words)][1:]]
+
+
+def _is_against_here(words: Line, row: Forces, solution: Solution) -> bool:
+    """Is a vector against its arrow with the numbers that are drawn for letters?"""
+    size = _size(words)
+    plain = (part for part in solution.parts if part.motion is None and size.free_symbols)
+    drawn = [i for part in plain for i in part.instants if i.instant.scene is row.scene and i.value.drawn]
+    outcomes = ((i, outcome) for i in drawn for outcome in i.trial.outcomes)
+    numbers = [i.value.extended(unknowns_of(i.trial.system, outcome)).known(size) for i, outcome in outcomes]
+    return bool(numbers) and all(n is not None and n < 0 for n in numbers)
 
 
 def _data(row: Forces, solution: Solution) -> set[Symbol]:
@@ -100,30 +130,32 @@ def _numbers(size: Expr, row: Forces, part: PartSolution) -> Iterator[Decimal | 
         drawn = bool(part.motion.value.drawn)
         for found in _of_motion(size.free_symbols, row, part, part.motion):
             numbers = Valuation({s: n for s, (_, n) in found.items() if n is not None})
-            yield _sign(size, {s: e for s, (e, _) in found.items()}) if drawn else numbers.known(size)
+            known = ChainMap(_answers(part), _solved(part.motion))
+            whole = size.xreplace({s: e for s, (e, _) in found.items()})
+            yield sign_of(written_out(whole, known), part.motion.value) if drawn else numbers.known(size)
         return
-    formulas = {f.asked[0]: f.expressions[0] for f in part.found if len(f.asked) == 1 and f.expressions}
+    formulas = _answers(part)
     for i in part.instants:
         if i.instant.scene is row.scene:
-            yield i.value.known(size) if _letters(size, i).isdisjoint(i.value.drawn) else _sign(size, formulas)
+            whole = written_out(size, ChainMap(formulas, dict(formulas_of(i))))
+            number = i.value.known(size) or i.value.known(whole)
+            yield number if _letters(size, i).isdisjoint(i.value.drawn) else sign_of(whole, i.value)
+
+
+def _answers(part: PartSolution) -> dict[Symbol, Expr]:
+    """The letters that are asked, by their formulas."""
+    return {f.asked[0]: f.expressions[0] for f in part.found if len(f.asked) == 1 and f.expressions}
 
 
 def _letters(size: Expr, instant: InstantSolution) -> set[Symbol]:
     """All on which it rests, through what was solved."""
-    solved = {line.symbol: line.formula for s in instant.stages for b in s.blocks for line in b.lines}
-    formulas = ChainMap({e.symbol: e.expression for e in instant.lines}, solved, dict(instant.value.definitions))
+    formulas = formulas_of(instant)
     seen, left = set[Symbol](), set(size.free_symbols)
     while left:
         letter = left.pop()
         seen.add(letter)
         left |= (formulas[letter].free_symbols if letter in formulas else set()) - seen
     return seen
-
-
-def _sign(size: Expr, formulas: Mapping[Symbol, Expr]) -> Decimal | None:
-    """Of a size in letters, where the formulas tell it whatever the letters are."""
-    sign = certain_sign(size.xreplace(formulas))
-    return Decimal(sign) if sign else None
 
 
 def _of_motion(
@@ -138,6 +170,11 @@ def _of_motion(
         blows = [e.source.impact.solution for e in leg.relations if isinstance(e.source, ImpactEquation)]
         if any(b is not None and b.instant.scene is row.scene for b in blows):
             yield {s: (s, _of_blow(s, leg, part, motion) if n is None else n) for s, (_, n) in data.items()}
+
+
+def _solved(motion: MotionTrace) -> dict[Symbol, Expr]:
+    """What the way to the answers finds, by its formulas."""
+    return {r.unknown: r.formula for step in motion.route.steps for r in step.results if r.formula is not None}
 
 
 def _of_blow(letter: Symbol, leg: RouteStep, part: PartSolution, motion: MotionTrace) -> Decimal | None:

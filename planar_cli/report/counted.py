@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -42,6 +42,19 @@ def positive(part: tuple[Vec, sp.Expr]) -> tuple[Vec, sp.Expr]:
     """A component of an acceleration that is a letter with a minus, as that letter in the opposite direction."""
     direction, component = part
     return (-direction, -component) if (-sp.sympify(component)).is_Symbol else part
+
+
+def as_given(part: tuple[Vec, sp.Expr], equations: Iterable[Written]) -> tuple[Vec, sp.Expr]:
+    """A component of an acceleration of which a datum says what it is against its letter, as that in its own direction:
+    m a to the left for a_wedge = -a.
+    """
+    direction, component = part
+    letter = sp.sympify(component)
+    data = (w.residual for w in equations if w.source == "given" and not w.times)
+    own = [(d - letter * way, way) for d in data if abs(way := d.coeff(letter)) == 1] if letter.is_Symbol else []
+    given = next((-rest / way for rest, way in own if not rest.has(letter)), sp.S.Zero)
+    against = not given.is_number and given.could_extract_minus_sign()
+    return (-direction, -given) if against else part
 
 
 def as_counted(part: PartSolution) -> PartSolution:

@@ -22,7 +22,7 @@ from planar_cli.problem.scene import GROUND
 from planar_cli.report.about_fixed_point import about_fixed_point, acceleration_of_centre
 from planar_cli.report.blocks import Forces, Line, Math, Name, Text, Value, line
 from planar_cli.report.clean import is_clean
-from planar_cli.report.counted import clockwise_letter, positive
+from planar_cli.report.counted import as_given, clockwise_letter, positive
 from planar_cli.report.drawn_lengths import SHORT, distance_drawn, drawn_length
 from planar_cli.report.entries import ASSUMED, BETWEEN, listed
 from planar_cli.report.found_senses import acts_backward, is_drawn_as_found
@@ -288,6 +288,7 @@ def _inertia(
     idle = _idle(instant, stage)
     components = stage.accelerations.get(body) or about_fixed_point(instant, body)
     apart = [positive(p) for direction, component in components for p in _apart(direction, component, instant, body)]
+    apart = [as_given(p, (w for block in stage.blocks for w in block.equations)) for p in apart]
     for direction, component in apart if model.mass != 0 else ():
         if sp.sympify(component).xreplace(dict.fromkeys(still, sp.S.Zero)) == 0:
             continue
