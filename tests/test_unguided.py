@@ -5,7 +5,8 @@ from __future__ import annotations
 import pytest
 from test_figures_bodies import drawings
 
-from planar_cli.report.marks import Hatched, Slot, Symbol
+from planar_cli.report.blocks import Name, line
+from planar_cli.report.marks import Dimension, Hatched, Polyline, Slot, Symbol
 
 
 @pytest.mark.parametrize("name", ["energy/weight-dropped-on-nested-springs", "oscillations/block-hung-on-a-spring"])
@@ -31,3 +32,16 @@ def test_a_rod_that_slides_over_a_fixed_place_may_turn_there() -> None:
     (sleeve,) = (m for m in marks if isinstance(m, Symbol) and m.kind == "slider" and m.at == (0.0, 1.2))
     assert [m for m in marks if isinstance(m, Symbol) and m.kind == "support" and m.at == sleeve.at]
     assert not [m for m in marks if isinstance(m, Slot) and m.start == sleeve.at]
+
+
+def test_what_touches_a_guided_body_leaves_no_room_for_ground() -> None:
+    floors = [m for m in drawings("kinematics/gear-between-racks")["scene"].panels[0].marks if isinstance(m, Hatched)]
+    assert [y for f in floors for _, y in f.places] == [0.0, 0.0], "under the gear, and none between it and its rack"
+
+
+def test_an_axis_of_turning_is_a_chain_line_on_no_floor() -> None:
+    marks = drawings("particles/sphere-on-two-wires-in-a-circle")["scene"].panels[0].marks
+    assert not [m for m in marks if isinstance(m, Hatched)]
+    (axis,) = (m for m in marks if isinstance(m, Polyline) and m.style == "chain")
+    assert {m.at for m in marks if isinstance(m, Symbol) and m.kind == "wall"} == {*axis.places}
+    assert line(Name("x_C")) in [m.words for m in marks if isinstance(m, Dimension)]

@@ -6,9 +6,10 @@ import math
 from collections.abc import Iterator, Sequence
 
 from planar_cli.equation.bodies import BodyModel
+from planar_cli.figures.axes_of_turning import is_axis
 from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.outlines import level, lying
-from planar_cli.figures.partners import sketch_of
+from planar_cli.figures.partners import between, sketch_of
 from planar_cli.figures.rings import extent_of, turned_by
 from planar_cli.figures.shapes import body_marks, moved
 from planar_cli.figures.within import slot_within
@@ -16,8 +17,10 @@ from planar_cli.problem.scene import Particle, Rod
 from planar_cli.problem.sketches import Absorber, Bar, Cord, Hinge, Slide, Spiral
 from planar_cli.report.marks import Hatched, Mark, Slot, Spot, Symbol, spots_of
 
-BEYOND, SHORT = 0.15, 0.08
-"""A floor goes on behind a body by this part of the scene, and is at least so long on either side of it."""
+BEYOND = 0.15
+"""A floor goes on behind a body by this part of the scene."""
+NEAR = 1e-6
+"""What is as near to the side of a body, in parts of the scene, touches it there."""
 LEANING = math.radians(60)
 """A guide that is turned by more from upright on a face leads along it."""
 STEEP = 0.7
@@ -32,6 +35,8 @@ def slide_marks(drawn: Drawn, slide: Slide, later: Sequence[Spot] = ()) -> Itera
     if at is None or along is None:
         return
     body = drawn.body(slide.body) if slide.body is not None else None
+    if body is not None and is_axis(drawn.scene.problem, body.name):
+        return
     if body is not None and body.name in lying(drawn):
         if slide.grounded and not slide.drawn and _lean(lying(drawn)[body.name], along) is not None:
             yield Symbol("guides", at, _away(lying(drawn)[body.name], along))
@@ -49,7 +54,7 @@ def slide_marks(drawn: Drawn, slide: Slide, later: Sequence[Spot] = ()) -> Itera
     if not shape:
         yield Symbol("block", at, level(along))
     if slide.grounded and not slide.drawn:
-        yield from _floor(drawn, shape or [at], along, later)
+        yield from _floor(drawn, shape or [at], along, later, [*_touched(drawn, body.name)])
 
 
 def _slot(drawn: Drawn, slide: Slide, at: Spot, along: float, later: Sequence[Spot]) -> Iterator[Mark]:
@@ -128,8 +133,22 @@ def _is_at(place: Spot | None, at: Spot) -> bool:
     return place is not None and math.dist(place, at) < 1e-9
 
 
-def _floor(drawn: Drawn, shape: Sequence[Spot], along: float, later: Sequence[Spot]) -> Iterator[Mark]:
-    """A floor under an outline, as far as it comes; beside one that goes up and down, a wall on either side."""
+def _touched(drawn: Drawn, body: str) -> Iterator[Spot]:
+    """Where others touch a body, as a gear its rack."""
+    for joint in drawn.scene.problem.joints:
+        place = getattr(joint, "at", None)
+        if body in between(joint) and isinstance(place, str) and not sketch_of(drawn, joint):
+            spot = drawn.named(place)
+            if spot is not None:
+                yield spot
+
+
+def _floor(
+    drawn: Drawn, shape: Sequence[Spot], along: float, later: Sequence[Spot], touched: Sequence[Spot]
+) -> Iterator[Mark]:
+    """A floor under an outline, as far as it comes; beside one that goes up and down, a wall on either side. None on a
+    side on which another body is.
+    """
     size = extent_of(drawn.at_rest().everything()) or 1.0
     up = level(along) if abs(math.sin(along)) <= STEEP else along
     seen = [turned_by(s, -up) for s in shape]
@@ -138,5 +157,7 @@ def _floor(drawn: Drawn, shape: Sequence[Spot], along: float, later: Sequence[Sp
     more = BEYOND * size if abs(math.sin(along)) <= STEEP else 0.0
     for below in (True, False) if abs(math.sin(along)) > STEEP else (True,):
         y = min(y for _, y in seen) if below else max(y for _, y in seen)
+        if any(abs(turned_by(s, -up)[1] - y) < NEAR * size for s in touched):
+            continue
         ends = [turned_by(p, up) for p in ((low - more, y), (high + more, y))]
         yield Hatched(tuple(ends if below else ends[::-1]))

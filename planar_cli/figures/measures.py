@@ -11,6 +11,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from planar_cli.figures.angles import angle_from_its_zero, angles_of_coordinates
+from planar_cli.figures.axes_of_turning import radius_marks
 from planar_cli.figures.drawn import Drawn, brief, words_of
 from planar_cli.figures.partners import between
 from planar_cli.figures.rings import across, way_of
@@ -93,6 +94,7 @@ def _measures(
         if point.name in tagged and not any(drawn.moved_by(point.name)):
             yield from _placed(drawn, point, tagged)
     yield from _links(drawn, tagged)
+    yield from radius_marks(drawn)
     yield from angles_of_coordinates(drawn)
 
 

@@ -8,6 +8,7 @@ from functools import singledispatch
 from typing import Any
 
 from planar_cli.equation.bodies import BodyModel
+from planar_cli.figures.axes_of_turning import axis_marks, is_axis
 from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.outlines import outlines
 from planar_cli.figures.partners import between
@@ -54,6 +55,9 @@ def _rod(shape: Rod, drawn: Drawn, body: BodyModel, style: Style) -> Iterator[Ma
             yield Polyline((start, moved(far, way_of(start, far), math.dist(start, far) / 8)), style)
     elif start is not None and center is not None:
         end = (2 * center[0] - start[0], 2 * center[1] - start[1])
+        if is_axis(drawn.scene.problem, body.name):
+            yield from axis_marks(start, end)
+            return
         yield Polyline((start, end), style)
         yield from _aside(drawn, body, start, end, style)
 

@@ -64,6 +64,7 @@ RULES = """
 .area{fill:var(--body);fill-opacity:.75}.bar{stroke-width:4.5}.slim{stroke-width:8.5}.core{stroke:var(--body);stroke-width:6.5}.thin{stroke-width:.9;fill:none}
 .hidden,.dashed{stroke-dasharray:4 3}.ground{stroke-width:1.6}.hatch{stroke:var(--faint);stroke-width:.8}
 .leader{stroke:var(--faint);stroke-width:.6}.rope{stroke-width:1.6}
+.chain{stroke-dasharray:12 3 2 3;stroke-width:1}
 .gap{fill:var(--paper);stroke:none}.way{stroke:var(--faint);stroke-dasharray:6 4;stroke-width:1}
 .spring{stroke-width:1.3}.pin,.centre{fill:var(--paper)}.mass,.dot{fill:var(--ink)}
 .support{fill:var(--paper)}.measure{stroke:var(--faint);stroke-width:.8}.axis{stroke:var(--faint)}

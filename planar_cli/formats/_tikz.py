@@ -100,8 +100,8 @@ def _options(kind: str) -> str:
         found += [f"draw={colour}", f"line width={px(float(look.get('stroke-width', '1')) * POINT)}pt"]
         found += ["line join=round", "line cap=round"]
         if "stroke-dasharray" in look:
-            on, off = (px(float(n) * POINT) for n in look["stroke-dasharray"].split())
-            found.append(f"dash pattern=on {on}pt off {off}pt")
+            parts = [f"{px(float(n) * POINT)}pt" for n in look["stroke-dasharray"].split()]
+            found.append("dash pattern=" + " ".join(f"{('on', 'off')[i % 2]} {p}" for i, p in enumerate(parts)))
         found += [f"draw opacity={look['stroke-opacity']}"] if "stroke-opacity" in look else []
     if (colour := _colour(look.get("fill", "none"))) != "none":
         found.append(f"fill={colour}")

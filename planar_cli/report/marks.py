@@ -30,6 +30,7 @@ Style = Literal[
     "velocity",
     "acceleration",
     "axis",
+    "chain",
 ]
 """What a line stands for; each has its own look."""
 SymbolKind = Literal[
