@@ -184,3 +184,13 @@ def test_a_given_acceleration_is_drawn_the_way_it_is() -> None:
     kinetic = diagrams("block-carried-by-an-accelerated-wedge")[0].panels[1]
     (arrow,) = [m for m in kinetic.marks if isinstance(m, Arrow)]
     assert ("".join(map(plain, arrow.words)), round(math.degrees(arrow.angle))) == ("a*m", 180)
+
+
+def test_near_an_equilibrium_the_body_is_drawn_turned() -> None:
+    """The weight has an arm about the point of contact, which is one point in both diagrams."""
+    first = diagrams("half-disk-rocking")[0]
+    assert next(plain(p) for p in first.note).startswith("drawn turned by δ")
+    tags = [[(m.words[0], m.at) for m in panel.marks if isinstance(m, Tag)] for panel in first.panels]
+    places = [{w.name: at for w, at in own if isinstance(w, Name)} for own in tags]
+    assert places[0]["C"] == pytest.approx(places[1]["C"])
+    assert places[0]["G"][0] - places[0]["C"][0] > 0.01

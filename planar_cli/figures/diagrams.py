@@ -73,7 +73,8 @@ def diagram(row: Forces, below: Sequence[Block], solution: Solution) -> Figure |
     sides = [s for s in _sides(row, left, right) if s.vectors]
     panels = [_panel(drawn, row, s.vectors, s.style, s.head) for s in sides]
     signs = "".join(s.sign for s in sides[1:])
-    note = note_of(panels, row, solution)
+    told = note_of(panels, row, solution)
+    note = line(row.posed, *(("; ", *told) if told else ())) if row.posed else told
     return Figure(tuple(with_centres(drawn, row, below, panels)), f"{row.heads[0]} of {row.body}", signs, note=note)
 
 

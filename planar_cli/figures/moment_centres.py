@@ -39,7 +39,8 @@ def with_centres(drawn: Drawn, row: Forces, below: Sequence[Block], panels: Sequ
     """
     made = list(panels)
     for centre in _centres(row, below):
-        at = Drawn(drawn.scene, centre.way.value, {}).spot(centre.way.place)
+        # What is drawn in a position of its own has its centre there too.
+        at = (drawn if row.posed else Drawn(drawn.scene, centre.way.value, {})).spot(centre.way.place)
         if at is None:
             continue
         own = centre.name not in drawn.scene.points

@@ -78,7 +78,7 @@ class Forces:
     """One row of a free-body diagram = kinetic diagram: the body, what acts on it, what that amounts to.
 
     Without a right-hand line it is a free-body diagram alone. `heads`: what stands over both sides in a table.
-    `scene`: where the body is found by who draws it.
+    `scene`: where the body is found by who draws it; `posed`: in which position it is drawn, where that is not plain.
     """
 
     body: str
@@ -86,6 +86,7 @@ class Forces:
     right: Line = ()
     heads: tuple[str, str] = ("free-body diagram", "kinetic diagram")
     scene: Scene | None = field(default=None, repr=False, compare=False)
+    posed: str = ""
 
 
 @record

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from decimal import Decimal
 from typing import Any
 
 import sympy as sp
@@ -25,6 +26,9 @@ from planar_cli.solve.instant.stages import acceleration_unknowns
 from planar_cli.solve.solution import InstantSolution
 
 SOLVED = "Solved for "
+POSED = "drawn turned by δ from the equilibrium"
+TURNED = Decimal("0.25")
+"""So far, rad: as small as can be seen."""
 SECOND_ORDER = "; terms with ω² are of the second order in it and left out"
 
 
@@ -77,8 +81,27 @@ def _put(block: Block, near: NearRest, instant: InstantSolution, phrases: Phrase
         return replace(block, sides=sides, note=tuple(_pieces(block.note, places, phrases)))
     if isinstance(block, Forces) and block.right:
         drawn = _inertia(block, places, instant, phrases)
-        return replace(block, right=drawn) if drawn else block
+        return _turned(replace(block, right=drawn) if drawn else block, places, instant)
     return block
+
+
+def _turned(block: Forces, places: dict[sp.Symbol, sp.Expr], instant: InstantSolution) -> Forces:
+    """Drawn by a small angle off the equilibrium, as the sums are written, where one angle tells the position."""
+    units = instant.instant.scene.ledger.units
+    told = [s for s in places if units[s].text in ("rad", "m")]
+    if [units[s].text for s in told] != ["rad"]:
+        return block
+    (angle,) = told
+
+    def there(piece: Inline) -> Inline:
+        if not isinstance(piece, Text) or piece.way is None:
+            return piece
+        rest = piece.way.value.known(places[angle])
+        here = piece.way.value if rest is None else piece.way.value.extended({angle: rest + TURNED})
+        return replace(piece, way=replace(piece.way, value=here))
+
+    left, right = (tuple(map(there, side)) for side in (block.left, block.right))
+    return replace(block, left=left, right=right, posed=POSED)
 
 
 def _as_one(
