@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from itertools import chain
 
 from planar_cli.problem.scene import Problem
@@ -211,7 +212,7 @@ def _of_results(told: Sequence[Equation], first: Sequence[Equation]) -> Line | N
 
 def _of_points(told: Sequence[Equation], first: int) -> Line:
     """`a_C with r_C/B = [0.2819, -0.1026] m` for each point but the `first` ones, with its value where it has one."""
-    arms = [b.note[max((i for i, p in enumerate(b.note) if _opens(p)), default=1) :] for b in told]
+    arms = [_bare(b.note[max((i for i, p in enumerate(b.note) if _opens(p)), default=1) :]) for b in told]
     others = told[first:]
     if len({_read(arm) for arm in arms}) == 1 and all(len(b.sides) == 2 for b in others):
         same = ", with arms of the same components." if arms[0] else "."
@@ -233,6 +234,12 @@ def _vector(block: Equation) -> bool:
     left = block.sides[0]
     named = isinstance(left, tuple) and isinstance(left[0], Name) and not block.note
     return named or _arm(block.note)
+
+
+def _bare(arm: Line) -> Line:
+    """Without the equals sign before it."""
+    first = arm[0] if arm else None
+    return (replace(first, text=first.text.removeprefix(" = ")), *arm[1:]) if isinstance(first, Text) else arm
 
 
 def _opens(piece: object) -> bool:
