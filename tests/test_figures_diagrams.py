@@ -194,3 +194,23 @@ def test_near_an_equilibrium_the_body_is_drawn_turned() -> None:
     places = [{w.name: at for w, at in own if isinstance(w, Name)} for own in tags]
     assert places[0]["C"] == pytest.approx(places[1]["C"])
     assert places[0]["G"][0] - places[0]["C"][0] > 0.01
+
+
+def corners(figure: Figure) -> list[int]:
+    """Of the outlines in each panel."""
+    rings = [m.places for p in figure.panels for m in p.marks if isinstance(m, Polyline) and m.closed]
+    return [len({(round(x, 9), round(y, 9)) for x, y in ring}) for ring in rings]
+
+
+def test_a_body_that_is_struck_has_its_shape_in_the_diagrams() -> None:
+    """A wedge is a triangle."""
+    assert corners(diagrams("ball-on-a-sliding-wedge")[0]) == [3, 3]
+
+
+def test_where_a_body_is_pushed_at_a_height_that_is_sought_does_not_shape_it() -> None:
+    """A cabinet is a box about its mass centre in all cases."""
+    page = illustrated_page(next(p for p in PROBLEMS if p.stem == "cabinet-on-casters"))
+    scenes = [b.figure for b in page.blocks if isinstance(b, Drawing) and b.figure.name == "scene"]
+    boxes = {m.places for f in scenes for p in f.panels for m in p.marks if isinstance(m, Polyline) and m.closed}
+    assert len(scenes) == 3
+    assert [len(box) for box in boxes] == [4]

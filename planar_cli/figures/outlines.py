@@ -12,7 +12,7 @@ from collections.abc import Iterator, Sequence
 from planar_cli.equation.bodies import BodyModel
 from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.led import led
-from planar_cli.figures.partners import between, partners, sketch_of, touching
+from planar_cli.figures.partners import between, only_pushed, partners, sketch_of, touching
 from planar_cli.figures.rings import (
     Ring,
     about,
@@ -147,7 +147,8 @@ def _written(drawn: Drawn, body: BodyModel) -> Body:
 def _known(rest: Drawn, written: Body) -> Known:
     told = not isinstance(written.shape, Outline) or written.shape.center is not None
     center = rest.center(written.name) if told else None
-    own = [s for name in written.points if (s := rest.carried(written.name, name)) is not None]
+    shaping = [name for name in written.points if not only_pushed(rest, name)]
+    own = [s for name in shaping if (s := rest.carried(written.name, name)) is not None]
     own += list(_slots(rest, written))
     faces = [face for _, face in _faces(rest, written)]
     size = extent_of([*own, *([center] if center else []), *(s for f in faces for s in (f.at, *f.spots))])
@@ -227,7 +228,9 @@ def _is_slot(rest: Drawn, surface: Surface, written: Body, center: Spot, at: Spo
     problem = rest.scene.problem
     if any(surface.name in between(j) and _is_pinned(rest, j) for j in problem.joints):
         return True
-    lies = any((j.touches or j in problem.strikers) and surface.name in between(j) for j in _meetings(problem))
+    lies = any(
+        (j.touches or j.strikes or j in problem.strikers) and surface.name in between(j) for j in _meetings(problem)
+    )
     if lies or off(at, angle, center) > 1e-6:
         return False
     own = [rest.carried(written.name, p) for p in written.points]

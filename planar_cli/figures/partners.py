@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+import sympy as sp
+
 from planar_cli.errors import PlanarError
 from planar_cli.figures.drawn import Drawn
 from planar_cli.joints.base import Joint
@@ -76,3 +78,21 @@ def pivot_of(drawn: Drawn, body: str) -> Spot | None:
             if isinstance(sketch, Hinge) and sketch.grounded and body in sketch.bodies:
                 return drawn.spot(sketch.at)
     return None
+
+
+def only_pushed(drawn: Drawn, point: str) -> bool:
+    """Is a point no more than where a force acts, at a place that the file seeks in a case? A body has its shape
+    wherever it is pushed.
+    """
+    problem = drawn.scene.problem
+    loaded = any(point == at for load in problem.loads for at, _ in load.attachments())
+    held = any(point in (*getattr(j, "path", ()), *_points_of(j)) for j in problem.joints)
+    if not loaded or held or any(isinstance(s.shape, Line) and s.shape.through == point for s in problem.surfaces):
+        return False
+    sought = {u.name for p in (problem, *(c.problem for c in problem.cases)) for u in p.unknowns}
+    place = drawn.scene.point(point)
+    return any(s.name in sought for part in (place.x, place.y) for s in sp.sympify(part).free_symbols)
+
+
+def _points_of(joint: Joint) -> tuple[object, ...]:
+    return (getattr(joint, "at", ""), getattr(joint, "point", ""), *between(joint))
