@@ -14,7 +14,7 @@ from text2qti.config import Config
 from text2qti.quiz import GroupStart, Question, Quiz
 
 from planar_cli.homework.exports.text2qti import SMALLEST
-from planar_cli.homework.paper import Expected, Paper, Task
+from planar_cli.homework.paper import Paper, Task
 
 
 def read(source: Any = None) -> Any:
@@ -110,12 +110,6 @@ def test_words() -> None:
     assert [(c.choice_raw, c.correct) for c in slips.choices] == [("yes", True), ("no", False)]
     assert mode.type == "short_answer_question"
     assert [c.choice_raw for c in mode.choices] == ["sticks*"]
-
-
-def test_true_or_false() -> None:
-    task = Task("p", "P", "", (), (Expected("holds", "does it hold?", "word", (), "1", "false", 0, 0),))
-    (question,) = questions(read((Paper(0, (task,)),))).values()
-    assert question.type == "true_false_question"
 
 
 def test_hostile_words_are_text() -> None:

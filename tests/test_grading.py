@@ -24,7 +24,7 @@ TURN = Expected("w", "", "number", (-6.186,), "rad/s", "6.186 rad/s clockwise", 
 ANGLE = Expected("p", "", "number", (170.0,), "deg", "170°", 0.01, 1.0, direction=True)
 VELOCITY = Expected("v", "", "vector", (3.0, -4.0), "m/s", "[3, -4] m/s", 0.01, 1.0)
 WORD = Expected("s", "", "word", (), "1", "slip", 0.01, 1.0)
-STAYS = Expected("s", "", "word", (), "1", "false", 0.01, 1.0, mode="stick")
+STAYS = Expected("s", "", "word", (), "1", "no", 0.01, 1.0, mode="stick")
 
 
 def graded(expected: Expected, text: str, rules: Rules | None = None) -> Graded:

@@ -141,7 +141,7 @@ def test_pairs(text: str, values: tuple[float, float], polar: bool) -> None:
 def test_lists_and_words() -> None:
     assert read("[1.2 s, 3.4 s, 5 s]", "list").values == (1.2, 3.4, 5)
     assert read("1.2, 3.4 s", "list").values == (1.2, 3.4)
-    assert read("Yes.", "word").word == "true"
+    assert read("Yes.", "word").word == "yes"
     assert read("slides", "word").word == "slip"
 
 

@@ -36,7 +36,7 @@ from planar_cli.records import record
 from planar_cli.units import ENERGY, PURE, Unit, parse_unit, pretty_unit
 
 LONGEST_SHOWN = 80
-YES_OR_NO = ("true", "false")
+YES_OR_NO = ("yes", "no")
 NO_ANSWERS = frozenset({"", "n/a", "n.a.", "na", "-", "--", "–", "—", "?", "??", "???", "…", "..."})
 """What stands where somebody has no answer."""
 SIGN = "the sign or sense is not right"

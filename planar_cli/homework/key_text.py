@@ -9,13 +9,15 @@ from decimal import ROUND_HALF_UP, Decimal
 from planar_cli.solve.solution import Found
 from planar_cli.units import pretty_unit
 
+TRUTHS = {"true": "yes", "false": "no"}
+
 
 def key_text(found: Found, unit_text: str, values: Sequence[float], sense: tuple[str, str]) -> str:
     """As a key tells it: four figures, the unit, the sense in words. `sense`: of plus and of minus; "" where the number
     has its sign.
     """
     if found.word:
-        return found.word
+        return TRUTHS.get(found.word, found.word)
     unit = pretty_unit(unit_text)
     behind = unit if unit == "°" else f" {unit}" if unit else ""
     if len(values) == 1 and sense[0] and values[0]:

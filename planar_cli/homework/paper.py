@@ -48,7 +48,7 @@ class Expected:
     asked: str
     """What is asked, as the page tells it: `acceleration of A`."""
     kind: str
-    """number, vector (two components), list, word (also true, false), formula, or equation of a curve."""
+    """number, vector (two components), list, word (also yes, no), formula, or equation of a curve."""
     values: tuple[float, ...]
     """In `unit`; of a word or formula none."""
     unit: str

@@ -78,8 +78,8 @@ _OF_UNITS = frozenset({"per", "times", "or", "and", "by"})
 """What is begun so is more of a unit, or another answer: not to be passed over."""
 
 _WORDS = {
-    **dict.fromkeys(("yes", "true", "y", "t"), "true"),
-    **dict.fromkeys(("no", "false", "n", "f"), "false"),
+    **dict.fromkeys(("yes", "true", "y", "t"), "yes"),
+    **dict.fromkeys(("no", "false", "n", "f"), "no"),
     **dict.fromkeys(("slip", "slips", "slides", "sliding", "slipping"), "slip"),
     **dict.fromkeys(("stick", "sticks", "rolls", "rolling", "does not slip", "no slip"), "stick"),
     **dict.fromkeys(("apart", "lifts off", "leaves", "loses contact"), "apart"),

@@ -25,7 +25,7 @@ APART = 0.999
 """Neighbouring intervals stop short of each other by the rest."""
 MOST_PLACES = 6
 """So many finds are named of which the same is told."""
-CHOICES = {"yes": ("yes", "no"), "no": ("yes", "no"), "true": ("true", "false"), "false": ("true", "false")}
+CHOICES = dict.fromkeys(("yes", "no"), ("yes", "no"))
 """The words of which all alternatives are known."""
 
 

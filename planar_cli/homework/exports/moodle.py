@@ -49,7 +49,7 @@ class Moodle(PaperExport):
         that of a mistake is the same, as Moodle does not count figures, by which `planar check` knows mistakes closer.
         The units block has the unit in its usual spellings; a missing or unknown unit costs a tenth of the marks.
         A direction is right after a whole turn too. A vector or list becomes a cloze question with one box for each
-        number. Yes or no, true or false become a choice; another word a short answer. The worked solution is the
+        number. Yes or no becomes a choice; another word a short answer. The worked solution is the
         general feedback. The figure of the sheet, the scene as it is given, stands below the text; each question
         carries its own as SVG. Tags tell variant and seed.
 

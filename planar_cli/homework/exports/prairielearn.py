@@ -49,7 +49,7 @@ class PrairieLearn(PaperExport):
         `info.json` with a uuid that depends on the titles alone, so that a new export replaces the old question;
         `question.html`; `server.py` with a table of the variants, from which it picks by the variant's seed. A number
         with a unit is a pl-units-input, which takes any unit of the dimension; a pure number or an angle a
-        pl-number-input. A vector or list has one input for each number. Yes or no, true or false become a
+        pl-number-input. A vector or list has one input for each number. Yes or no becomes a
         pl-multiple-choice, another word a pl-string-input, a formula a pl-symbolic-input. Tolerances are those of
         `planar check`; diagnosed mistakes show their feedback. The worked solution is in the answer panel. The figure
         of the sheet, the scene as it is given, is a file of `clientFilesQuestion/` for each variant that has its own.

@@ -47,7 +47,7 @@ class Qti(PaperExport):
     The file
         A zip with `imsmanifest.xml` and one item for each find and variant. A number is typed; it is right within the
         tolerance of `planar check`, and a direction after a whole turn too. A vector or list has one field for each
-        number, which shares the points. Yes or no, true or false become a choice; another word is typed. Diagnosed
+        number, which shares the points. Yes or no becomes a choice; another word is typed. Diagnosed
         mistakes score nothing and show their feedback; after answering the worked solution is shown. Beside an item
         lies the figure of its sheet, the scene as it is given, as SVG, which the item shows below the text.
 

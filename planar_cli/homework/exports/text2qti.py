@@ -46,7 +46,7 @@ class Text2qti(PaperExport):
         One group for each find, from which Canvas picks one variant for each student. A number is right within the
         tolerance of `planar check`. Canvas knows numbers to four decimals and none nearer to zero than 0.0001, so a
         small answer is asked in a smaller unit. The numbers of a vector or list are questions of their own. Yes or
-        no, true or false become a choice; another word is typed.
+        no becomes a choice; another word is typed.
 
     To import it
         `text2qti NAME.txt` (from the Python package text2qti) makes a zip; in Canvas: Settings, Import Course
