@@ -6,7 +6,7 @@ import pytest
 from test_figures_bodies import drawings
 
 from planar_cli.report.blocks import Name, line
-from planar_cli.report.marks import Dimension, Hatched, Polyline, Slot, Symbol
+from planar_cli.report.marks import Arrow, Dimension, Hatched, Polyline, Slot, Spot, Symbol, Tag
 
 
 @pytest.mark.parametrize("name", ["energy/weight-dropped-on-nested-springs", "oscillations/block-hung-on-a-spring"])
@@ -45,3 +45,29 @@ def test_an_axis_of_turning_is_a_chain_line_on_no_floor() -> None:
     (axis,) = (m for m in marks if isinstance(m, Polyline) and m.style == "chain")
     assert {m.at for m in marks if isinstance(m, Symbol) and m.kind == "wall"} == {*axis.places}
     assert line(Name("x_C")) in [m.words for m in marks if isinstance(m, Dimension)]
+
+
+@pytest.mark.parametrize(
+    ("name", "ball", "way"),
+    [
+        ("textbook/ex-4-14", "C", (-1.0, 0.0)),
+        ("impact/dumbbell-hit-by-a-ball", "C", (-1.0, 0.0)),
+        ("impact/ball-hits-a-hanging-rod", "ball", (-1.0, 0.0)),
+        ("impact/ball-on-a-sliding-wedge", "ball", (0.0, 1.0)),
+    ],
+)
+def test_a_striker_stands_beside_what_it_strikes_where_it_comes_from(name: str, ball: str, way: Spot) -> None:
+    marks = drawings(name)["scene"].panels[0].marks
+    (arrow,) = (m for m in marks if isinstance(m, Arrow) and m.style == "velocity")
+    (tag,) = (m for m in marks if isinstance(m, Tag) and m.words == line(Name(ball)))
+    assert arrow.inward, "it ends at the ball"
+    away = (arrow.at[0] - tag.at[0], arrow.at[1] - tag.at[1])
+    assert away[0] * way[0] + away[1] * way[1] > 0
+    balls = [m.at for m in marks if isinstance(m, Symbol) and m.kind == "particle"]
+    assert len(balls) == len(set(balls)), "none on another one"
+
+
+def test_a_dumbbell_keeps_its_balls_in_later_states() -> None:
+    marks = drawings("impact/dumbbell-hit-by-a-ball")["scene"].panels[0].marks
+    (rod,) = (m for m in marks if isinstance(m, Polyline) and m.style == "hidden")
+    assert {*rod.places} <= {m.at for m in marks if isinstance(m, Symbol) and m.kind == "place"}

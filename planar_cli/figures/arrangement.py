@@ -36,7 +36,7 @@ from planar_cli.figures.positions import (
 from planar_cli.figures.rings import extent_of, way_of
 from planar_cli.figures.ropes import bends
 from planar_cli.figures.shapes import body_marks
-from planar_cli.figures.side_by_side import BOX, POINT, side_by_side
+from planar_cli.figures.side_by_side import BOX, POINT, guided, side_by_side
 from planar_cli.figures.springs import settled
 from planar_cli.figures.state_measures import state_measures
 from planar_cli.figures.surfaces import surface_marks
@@ -163,7 +163,7 @@ def _marks(drawn: Drawn, moving: Moving | None, whole: Problem, later: Sequence[
                 along = way_of(mark.places[0], mark.places[-1])
                 on_it = [name for name in sliders(problem, surface) if name in masses]
                 standing |= {name: Symbol("block", masses[name], along) for name in on_it}
-    aside = side_by_side(drawn, moving, joints, extent_of([*points.values(), *centers]))
+    aside = side_by_side(drawn, moving, joints)
     hung = {n: block for n, block in {**led_blocks(drawn), **hanging(drawn)}.items() if n not in standing}
     sketched = [
         shifted(m, aside.get(getattr(entry, "body", ""), (0.0, 0.0)))
@@ -185,12 +185,12 @@ def _marks(drawn: Drawn, moving: Moving | None, whole: Problem, later: Sequence[
     shown = {p.name: points[p.name] for p in written if p.name in points}
     bars = [m for n in scene.bodies.values() for m in body_marks(drawn, n) if isinstance(m, Polyline) and not m.closed]
     yield from _points(drawn, shown.values(), bars, sketched)
-    tagged = {**shown, **_particles(drawn, problem, shown)}
+    tagged = {**shown, **_particles(drawn, problem, shown, aside)}
     tagged |= {name: (tagged[name][0] + x, tagged[name][1] + y) for name, (x, y) in aside.items() if name in tagged}
     measures = [*measure_marks(drawn, problem, tagged, edges_of)]
     yield from (*measures, *_origin(measures, tagged))
     if moving is not None:
-        yield from arrows_apart(given_motion_marks(moving, problem, aside), sketched)
+        yield from arrows_apart(given_motion_marks(moving, problem, aside, guided(drawn, joints)), sketched)
     yield Axes(problem.plane == "vertical")
     yield from names_of_bodies(drawn, problem, tagged)
 
@@ -271,12 +271,12 @@ def _is_on(spot: Spot, bar: Polyline) -> bool:
     return around < math.dist(bar.places[0], bar.places[-1]) * (1 + ON)
 
 
-def _particles(drawn: Drawn, problem: Problem, shown: dict[str, Spot]) -> dict[str, Spot]:
-    """Particles that are at no point with a name of its own, by their names."""
+def _particles(drawn: Drawn, problem: Problem, shown: dict[str, Spot], aside: Mapping[str, Spot]) -> dict[str, Spot]:
+    """Particles that are at no point with a name of its own, or are drawn beside it, by their names."""
     found = {}
     for body in problem.bodies:
         spot = drawn.spot(drawn.scene.bodies[body.name].center)
-        alone = isinstance(body.shape, Particle) and spot not in shown.values() and body.name not in problem.hidden
-        if alone and spot is not None:
+        alone = spot not in shown.values() or (body.name in aside and body.name not in shown)
+        if alone and spot is not None and isinstance(body.shape, Particle) and body.name not in problem.hidden:
             found[body.name] = spot
     return found

@@ -5,7 +5,7 @@ and the angles of their directions.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Protocol
 
@@ -28,6 +28,8 @@ UPRIGHT = math.pi / 2
 NEAR = 1e-6
 ALONG, BESIDE = 0.05, 9.0
 """Arrows of directions that differ by less, rad, lie on each other; one is drawn so far beside the other, px."""
+RIM = 0.7
+"""The edge of a particle, in parts of how far it is drawn beside its place."""
 MAG, ANGLE = "mag", "angle"
 AXES: Mapping[str, float] = {"x": 0.0, "y": UPRIGHT}
 LINES: Mapping[str, float] = {"along": 0.0, "across": UPRIGHT}
@@ -116,8 +118,12 @@ class _Given:
     direction: Side | None
 
 
-def given_motion_marks(moving: Moving, problem: Problem, aside: Mapping[str, Spot]) -> Iterator[Mark]:
-    """`aside`: by so much bodies are drawn beside their places, m."""
+def given_motion_marks(
+    moving: Moving, problem: Problem, aside: Mapping[str, Spot], led: Collection[str] = ()
+) -> Iterator[Mark]:
+    """`aside`: by so much bodies are drawn beside their places, m; `led`: those that are in guides, with a
+    size.
+    """
     told: dict[tuple[str, str], dict[str, _Given]] = {}
     for one in _given(problem):
         told.setdefault((one.word, one.name), {}).setdefault(one.part, one)
@@ -128,12 +134,25 @@ def given_motion_marks(moving: Moving, problem: Problem, aside: Mapping[str, Spo
             continue
         at = (at[0] + aside.get(name, (0.0, 0.0))[0], at[1] + aside.get(name, (0.0, 0.0))[1])
         if word not in ROTATIONS:
-            yield from _vector(moving, word, name, at, parts)
+            for arrow in _vector(moving, word, name, at, parts):
+                yield (
+                    _up_to(arrow, aside[name])
+                    if name in aside and name not in led and isinstance(arrow, Arrow)
+                    else arrow
+                )
             continue
         alone = all(other == (word, name) or places[other] != places[word, name] for other in told if other[0] == word)
         for mark in _turn(moving, word, at, parts):
             # Of several at one place nobody would see whose each is.
             yield mark if alone else replace(mark, words=line(Name(f"{word}_{name}"), " = ", *mark.words))
+
+
+def _up_to(arrow: Arrow, aside: Spot) -> Arrow:
+    """An arrow that would run into what its body meets ends at the body."""
+    ahead = aside[0] * math.cos(arrow.angle) + aside[1] * math.sin(arrow.angle)
+    if ahead >= -NEAR * math.hypot(*aside):
+        return arrow
+    return replace(arrow, at=(arrow.at[0] + RIM * aside[0], arrow.at[1] + RIM * aside[1]), inward=True)
 
 
 def _where(drawn: Drawn, word: str, name: str) -> Spot | None:

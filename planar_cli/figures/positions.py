@@ -80,7 +80,10 @@ class Later:
         body = self.there.scene.bodies.get(name)
         if body is None:
             return [Symbol("place", self.at(name))]
-        shapes: list[Mark] = [m for m in body_marks(self.there, body, "hidden") if isinstance(m, Arc | Polyline)]
+        drawn = list(body_marks(self.there, body, "hidden"))
+        shapes: list[Mark] = [m for m in drawn if isinstance(m, Arc | Polyline)]
+        if shapes:
+            shapes += [replace(m, kind="place") for m in drawn if isinstance(m, Symbol) and m.kind == "particle"]
         if self.first is not None:
             turn = (self.angles.get(name) or 0.0) - (self.first.angles.get(name) or 0.0) if body.rigid else 0.0
             shapes = carried(shapes, Pose(self.first.spots[name], 0.0), Pose(self.spots[name], turn))

@@ -124,7 +124,7 @@ def _composite(shape: Composite, drawn: Drawn, body: BodyModel, style: Style) ->
     points = [p.shape.place for p in shape.pieces if isinstance(p.shape, Particle) and isinstance(p.shape.place, str)]
     places = [s for name in points if (s := drawn.carried(body.name, name)) is not None]
     if len(places) > 1:
-        yield Polyline(tuple(around(places)), "thin", closed=len(places) > 2)
+        yield Polyline(tuple(around(places)), "hidden" if style == "hidden" else "thin", closed=len(places) > 2)
 
 
 def _centre_of(drawn: Drawn, body: BodyModel, piece: Any) -> Any:
@@ -134,6 +134,8 @@ def _centre_of(drawn: Drawn, body: BodyModel, piece: Any) -> Any:
     if isinstance(shape, Rod) and shape.end is not None:
         ends = [shapes.carried(body.name, p) for p in (shape.start, shape.end)]
         return (ends[0] + ends[1]) / 2
+    if isinstance(shape, Particle) and isinstance(shape.place, str):
+        return shapes.carried(body.name, shape.place)
     for (_, _, center), other in zip(body.parts, getattr(body.shape, "pieces", ()), strict=False):
         if other is piece:
             return center
