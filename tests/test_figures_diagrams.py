@@ -214,3 +214,14 @@ def test_where_a_body_is_pushed_at_a_height_that_is_sought_does_not_shape_it() -
     boxes = {m.places for f in scenes for p in f.panels for m in p.marks if isinstance(m, Polyline) and m.closed}
     assert len(scenes) == 3
     assert [len(box) for box in boxes] == [4]
+
+
+def test_a_long_rope_between_two_bodies_is_drawn_and_broken_alike_in_both_diagrams() -> None:
+    """A load on the drum of a gear, as in the scene."""
+    group = next(f for f in diagrams("hoist-driven-by-gears") if f.words.endswith("gear_B, load"))
+    breaks = [[m.at for m in p.marks if isinstance(m, Symbol) and m.kind == "break"] for p in group.panels]
+    ropes = [[m.places for m in p.marks if isinstance(m, Polyline) and m.style == "rope"] for p in group.panels]
+    assert breaks[0] == breaks[1]
+    assert ropes[0] == ropes[1]
+    assert len(breaks[0]) == len(ropes[0]) == 1
+    assert math.dist(*ropes[0][0]) < 1.0

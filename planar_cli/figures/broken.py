@@ -42,29 +42,52 @@ SMALL, GOOD = 0.24, 0.6
 """What is smaller cannot be read; so large it is drawn then, if that is possible."""
 LEAST, PART = 0.45, 0.6
 """The least length of a broken line, and of all of them together in parts of what else lies along them."""
+BESIDE = 1.7
+"""The least length of a broken line with arrows along it."""
 WORTH = 1.4
 """A break that makes the drawing no more than so many times as large is none."""
 LINES = ("rope", "way", "ground", "dashed")
 """The styles of lines that may be broken."""
 NEAR = 1e-6
+NOT_TO_SCALE = "not to scale along the broken lines"
 Move = Callable[[Spot], Spot]
 
 
 def scene(panel: Panel, title: str) -> Figure:
     """The figure of a scene, which tells where it is not to scale."""
     marks = broken(panel.marks)
-    cut = any(isinstance(m, Symbol) and m.kind == "break" for m in marks)
-    note = line("not to scale along the broken lines") if cut else ()
+    note = line(NOT_TO_SCALE) if _is_cut(marks) else ()
     return Figure((replace(panel, marks=marks),), title, name="scene", note=note)
 
 
-def broken(marks: Sequence[Mark]) -> tuple[Mark, ...]:
-    """The marks of a drawing, some of them nearer to each other if it could not be read otherwise."""
+def broken_together(panels: Sequence[Panel]) -> tuple[tuple[Panel, ...], bool]:
+    """Drawings of the same bodies, all broken alike where a rope is long; and whether they are."""
+    whole = [m for panel in panels for m in panel.marks]
+    roped = any(isinstance(m, Polyline) and m.style == "rope" for m in whole)
+    marks = broken(whole, min(len(panels) * SMALL, GOOD), BESIDE) if roped else whole
+    if not _is_cut(marks):
+        return tuple(panels), False
+    made, since, signs = list[Panel](), 0, tuple(marks[len(whole) :])
+    for panel in panels:
+        until = since + len(panel.marks)
+        made.append(replace(panel, marks=(*marks[since:until], *signs)))
+        since = until
+    return tuple(made), True
+
+
+def _is_cut(marks: Sequence[Mark]) -> bool:
+    return any(isinstance(m, Symbol) and m.kind == "break" for m in marks)
+
+
+def broken(marks: Sequence[Mark], small: float = SMALL, least: float = LEAST) -> tuple[Mark, ...]:
+    """The marks of a drawing, some of them nearer to each other if it could not be read otherwise. `small`: what is
+    smaller cannot be read; `least`: the least length of a broken line.
+    """
     # While it is worked out, a rope as it is later is a line like that which is there.
     found = before = tuple(_with_later_ropes(marks))
     angles = _directions(found)
-    while angles and (smallest := min(_sizes(found), default=math.inf)) * (scale := _scale(found)) < SMALL:
-        tried = {angle: _along(found, angle, smallest) for angle in angles}
+    while angles and (smallest := min(_sizes(found), default=math.inf)) * (scale := _scale(found)) < small:
+        tried = {angle: _along(found, angle, smallest, least) for angle in angles}
         best = max(tried, key=lambda angle: _scale(tried[angle]))
         if _scale(tried[best]) < WORTH * scale:
             break
@@ -167,9 +190,9 @@ class _Cut:
         return (min(max(s, self.start), self.end) - self.start) * (1 - self.drawn / (self.end - self.start))
 
 
-def _along(marks: Sequence[Mark], angle: float, smallest: float) -> tuple[Mark, ...]:
+def _along(marks: Sequence[Mark], angle: float, smallest: float, least: float) -> tuple[Mark, ...]:
     """The marks with as much left out along a direction as the smallest of them needs."""
-    cuts = _cuts(marks, angle, smallest)
+    cuts = _cuts(marks, angle, smallest, least)
 
     def to(spot: Spot) -> Spot:
         return moved(spot, angle, -sum(cut.at(_on(spot, angle)) for cut in cuts))
@@ -185,7 +208,7 @@ def _on(spot: Spot, angle: float) -> float:
     return spot[0] * math.cos(angle) + spot[1] * math.sin(angle)
 
 
-def _cuts(marks: Sequence[Mark], angle: float, smallest: float) -> list[_Cut]:
+def _cuts(marks: Sequence[Mark], angle: float, smallest: float, least: float) -> list[_Cut]:
     """Where the direction is cut: stretches that are free, the longer ones shortened in one ratio."""
     on = partial(_on, angle=angle)
     reach = [on(s) for m in marks for s in spots_of(m)]
@@ -203,11 +226,11 @@ def _cuts(marks: Sequence[Mark], angle: float, smallest: float) -> list[_Cut]:
     rest = whole - length
     # As much is left as the sheet has room for, when the smallest thing is as large as it should be.
     left = max(room / wanted - rest, PART * rest)
-    least = LEAST * (rest + left) / room
+    shortest = least * (rest + left) / room
     # A floor that only goes on beyond all else is shorter, and nobody misses that.
     things = [t for m in marks if not isinstance(m, Hatched) for t in _taken(m, angle)]
     low, high = min(a for a, _ in things), max(b for _, b in things)
-    drawn = [(a, b, max((b - a) * left / length, least)) for a, b in crossed]
+    drawn = [(a, b, max((b - a) * left / length, shortest)) for a, b in crossed]
     return [_Cut(a, b, d, low <= a and b <= high) for a, b, d in drawn if d < b - a]
 
 

@@ -12,11 +12,13 @@ from decimal import Decimal
 from itertools import groupby
 
 from planar_cli.equation.arrows import vector_arrow
+from planar_cli.figures.broken import NOT_TO_SCALE, broken_together
 from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.found_ways import note_of
 from planar_cli.figures.lanes import in_lanes
 from planar_cli.figures.moment_centres import with_centres
 from planar_cli.figures.rings import across, ends_of, meets
+from planar_cli.figures.ropes import ropes_within
 from planar_cli.figures.shapes import body_marks, moved
 from planar_cli.problem.geometry import Vec
 from planar_cli.records import record
@@ -74,8 +76,10 @@ def diagram(row: Forces, below: Sequence[Block], solution: Solution) -> Figure |
     panels = [_panel(drawn, row, s.vectors, s.style, s.head) for s in sides]
     signs = "".join(s.sign for s in sides[1:])
     told = note_of(panels, row, solution)
-    note = line(row.posed, *(("; ", *told) if told else ())) if row.posed else told
-    return Figure(tuple(with_centres(drawn, row, below, panels)), f"{row.heads[0]} of {row.body}", signs, note=note)
+    centred, cut = broken_together(with_centres(drawn, row, below, panels))
+    parts = [part for part in (line(row.posed) if row.posed else (), told, line(NOT_TO_SCALE) if cut else ()) if part]
+    note = line(*[piece for part in parts for piece in ("; ", *part)][1:])
+    return Figure(centred, f"{row.heads[0]} of {row.body}", signs, note=note)
 
 
 def _sides(row: Forces, left: list[_Vector], right: list[_Vector]) -> Iterator[_Side]:
@@ -103,6 +107,7 @@ def _vectors(listed: Line) -> Iterator[_Vector]:
 def _panel(drawn: Drawn, row: Forces, vectors: Sequence[_Vector], style: Style, head: str) -> Panel:
     bodies = [drawn.scene.bodies[name] for name in row.body.split(", ")]
     marks: list[Mark] = [slim(m) for b in bodies for m in body_marks(drawn, b)]
+    marks += ropes_within(drawn, frozenset(b.name for b in bodies))
     centers = [(spot, b.rigid) for b in bodies if (spot := drawn.spot(b.center)) is not None]
     marks += [Symbol("centre", spot) for spot, rigid in centers if rigid]
     tags: dict[str, Spot] = {}

@@ -9,6 +9,7 @@ from itertools import pairwise
 
 from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.hanging import in_its_loop
+from planar_cli.figures.partners import sketch_of
 from planar_cli.figures.rings import extent_of, moved_by, turn, way_of
 from planar_cli.figures.shapes import moved
 from planar_cli.problem.scene import Particle, Round
@@ -71,6 +72,14 @@ def cord_marks(drawn: Drawn, sketch: Cord) -> Iterator[Mark]:
         for held, (at, other) in zip(sketch.fixed, (parts[0], parts[-1][::-1]), strict=True):
             if held:
                 yield Symbol("wall", at, _upright(math.atan2(other[1] - at[1], other[0] - at[0]), math.pi / 2))
+
+
+def ropes_within(drawn: Drawn, bodies: frozenset[str]) -> Iterator[Mark]:
+    """The ropes between bodies that are drawn together."""
+    for joint in drawn.scene.problem.joints:
+        for sketch in sketch_of(drawn, joint):
+            if isinstance(sketch, Cord) and all(not s.fixed and s.body in bodies for s in sketch.stops):
+                yield from cord_marks(drawn, sketch)
 
 
 def _hung(wheel: Stop, angle: float) -> Iterator[Mark]:
