@@ -18,12 +18,13 @@ from planar_cli.figures.rings import across, way_of
 from planar_cli.figures.shapes import moved
 from planar_cli.figures.slopes import slope_angles
 from planar_cli.figures.sought import in_waves, sought
+from planar_cli.figures.stated import is_stated
 from planar_cli.problem.expression import Name as Letter
 from planar_cli.problem.expression import Side
 from planar_cli.problem.scene import At, Body, Point, Polar, Problem, Rod, Round, Towards, TwoFacts
 from planar_cli.problem.shapes import rim_of
 from planar_cli.problem.walk import walk
-from planar_cli.report.blocks import Name, line
+from planar_cli.report.blocks import Line, Name, line
 from planar_cli.report.marks import Angle, Dimension, Mark, Spot, Tag
 
 RIGHT = math.pi / 2
@@ -54,7 +55,7 @@ def measure_marks(
         waves = [letters[name] for name in in_waves(point) if name in letters]
         seen = waves and all(repr(words_of(letter)) in told for letter in waves)
         if point.name in tagged and isinstance(point.place, At | TwoFacts) and not seen:
-            for mark in _coordinates(tagged[point.name], point.place, drawn.moved_by(point.name)):
+            for mark in _coordinates(drawn, tagged[point.name], point.place, drawn.moved_by(point.name)):
                 yield from _once(mark, told)
 
 
@@ -118,7 +119,7 @@ def _polar(drawn: Drawn, spot: Spot, place: Polar, tagged: Mapping[str, Spot]) -
     origin = tagged.get(place.origin)
     if origin is None or math.dist(origin, spot) < NEAR:
         return
-    words = brief(place.distance, drawn.length(place.distance))
+    words = _given(drawn, place.distance, drawn.length(place.distance))
     on_a_rim = words in [r.words for r in _all_radii(drawn, {})]
     if words and not on_a_rim:
         yield Dimension(origin, spot, words)
@@ -128,7 +129,7 @@ def _polar(drawn: Drawn, spot: Spot, place: Polar, tagged: Mapping[str, Spot]) -
 
 
 def _apart(drawn: Drawn, origin: Spot | None, spot: Spot, distance: Side) -> Iterator[Dimension]:
-    words = brief(distance, drawn.length(distance))
+    words = _given(drawn, distance, drawn.length(distance))
     if origin is not None and words and math.dist(origin, spot) > NEAR:
         yield Dimension(origin, spot, words)
 
@@ -183,10 +184,15 @@ def _seen_by_angle(drawn: Drawn, rim: Round, tagged: Mapping[str, Spot]) -> Iter
             yield point.name
 
 
-def _coordinates(spot: Spot, place: At | TwoFacts, moved: Spot) -> Iterator[Dimension]:
+def _given(drawn: Drawn, side: Side, value: float | None) -> Line:
+    """The words of a length, if it is told by more than the drawing."""
+    return brief(side, value) if is_stated(drawn.scene.problem, side) else ()
+
+
+def _coordinates(drawn: Drawn, spot: Spot, place: At | TwoFacts, moved: Spot) -> Iterator[Dimension]:
     """The distances of a point from the axes, where the file places it by them and it is drawn there."""
     for axis, side in enumerate((place.x, place.y)):
-        words = brief(side, spot[axis]) if side is not None else ()
+        words = _given(drawn, side, spot[axis]) if side is not None else ()
         if words and abs(spot[axis]) > NEAR and not moved[axis]:
             start = (0.0, spot[1]) if axis == 0 else (spot[0], 0.0)
             yield Dimension(start, spot, words, side=-1 if axis == 0 else 1, level=True)
