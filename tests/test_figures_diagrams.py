@@ -225,3 +225,12 @@ def test_a_long_rope_between_two_bodies_is_drawn_and_broken_alike_in_both_diagra
     assert ropes[0] == ropes[1]
     assert len(breaks[0]) == len(ropes[0]) == 1
     assert math.dist(*ropes[0][0]) < 1.0
+
+
+def test_a_block_with_sides_alone_has_its_weight_in_its_middle_and_contacts_at_its_base() -> None:
+    """What pulls does so at the side to which it pulls."""
+    block = next(f for f in diagrams("stacked-blocks-joined-over-a-pulley") if f.words.endswith("block_B"))
+    told = {"".join(map(plain, m.words)): m.at for p in block.panels for m in p.marks if isinstance(m, Arrow)}
+    assert told["W_B"] == told["a_B*m_block_B"] == pytest.approx((0, 0.5))
+    assert told["N_B"] == told["N_B*mu_2"] == pytest.approx((0, 0))
+    assert (told["P"], told["T"]) == (pytest.approx((0.5, 0.5)), pytest.approx((-0.5, 0.5)))

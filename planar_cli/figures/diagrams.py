@@ -12,12 +12,13 @@ from decimal import Decimal
 from itertools import groupby
 
 from planar_cli.equation.arrows import vector_arrow
+from planar_cli.equation.bodies import BodyModel
 from planar_cli.figures.broken import NOT_TO_SCALE, broken_together
 from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.found_ways import note_of
 from planar_cli.figures.lanes import in_lanes
 from planar_cli.figures.moment_centres import with_centres
-from planar_cli.figures.rings import across, ends_of, meets
+from planar_cli.figures.rings import across, ends_of, extent_of, inside, meets, middle_of, off, sides, way_of
 from planar_cli.figures.ropes import ropes_within
 from planar_cli.figures.shapes import body_marks, moved
 from planar_cli.problem.geometry import Vec
@@ -40,6 +41,10 @@ DEEP = 0.15
 """A force that acts beside its body is drawn within its edge by this part of its width."""
 LEVEL = 1e-6
 """What rises by no more than this part of its length is level."""
+FLAT = 0.25
+"""So near to its edge is the middle of a thin body, in parts of its size."""
+PRESSING, PULLING = ("normal", "friction"), ("force", "tension")
+"""Kinds of forces at the edge on which a body stands, and of those at a side of it."""
 INWARD = 0.35
 """The cosine of the angle to the way to the mass centre from which on a force at the edge is drawn as a push."""
 
@@ -53,6 +58,16 @@ class _Vector:
     way: Way
     where: Line = ()
     """What stands behind it: at x to the right of C."""
+
+
+@record
+class _Inside:
+    """A body that has only sides, and what is taken as its mass centre."""
+
+    middle: Spot
+    ring: tuple[Spot, ...]
+    foot: Spot
+    """Where it stands."""
 
 
 @record
@@ -110,6 +125,9 @@ def _panel(drawn: Drawn, row: Forces, vectors: Sequence[_Vector], style: Style, 
     marks += ropes_within(drawn, frozenset(b.name for b in bodies))
     centers = [(spot, b.rigid) for b in bodies if (spot := drawn.spot(b.center)) is not None]
     marks += [Symbol("centre", spot) for spot, rigid in centers if rigid]
+    insides = dict(_insides(drawn, bodies))
+    marks += [Symbol("centre", own.middle) for own in insides.values()]
+    centers += [(own.middle, False) for own in insides.values()]
     tags: dict[str, Spot] = {}
     areas = [m.places for m in marks if isinstance(m, Polyline) and m.closed]
     for vector in vectors:
@@ -120,7 +138,10 @@ def _panel(drawn: Drawn, row: Forces, vectors: Sequence[_Vector], style: Style, 
             tags[named[1]] = at
         center = min((c for c, _ in centers), key=lambda c: math.dist(c, at), default=None)
         made = list(_mark(drawn, vector, at, center, style))
-        if named is None and at != center:
+        if at in insides:
+            middle = insides[at].middle
+            made = [_put(m, insides[at], vector.way.kind) for m in _mark(drawn, vector, at, middle, style)]
+        elif named is None and at != center:
             near = NOT_NEEDED in vector.told
             made = [_on_edge(_within(m, areas) if near else m, areas) for m in made]
         tags |= {
@@ -130,6 +151,32 @@ def _panel(drawn: Drawn, row: Forces, vectors: Sequence[_Vector], style: Style, 
     marks += [Symbol("point", at) for at in tags.values() if at not in (c for c, _ in centers)]
     marks += [Tag(at, line(Name(name))) for name, at in tags.items()]
     return Panel(tuple(in_lanes(marks)), line(head))
+
+
+def _insides(drawn: Drawn, bodies: Sequence[BodyModel]) -> Iterator[tuple[Spot, _Inside]]:
+    """Of bodies that the file has as points at an edge of what is drawn of them, by these points."""
+    for body in bodies:
+        at = drawn.spot(body.center)
+        rings = [m.places for m in body_marks(drawn, body) if isinstance(m, Polyline) and m.closed]
+        if body.rigid or at is None or len(rings) != 1 or inside(rings[0], at, DEEP * extent_of(rings[0])):
+            continue
+        ring, middle = rings[0], middle_of(rings[0])
+        a, b = min(sides(ring), key=lambda ends: off(ends[0], way_of(*ends), at))
+        # In a thin body the weight would run into what presses from below.
+        aside = DEEP * math.dist(a, b) if math.dist(at, middle) < FLAT * extent_of(ring) else 0.0
+        yield at, _Inside(middle, ring, moved(at, way_of(a, b), -aside))
+
+
+def _put(mark: Mark, body: _Inside, kind: str) -> Mark:
+    """What acts on a body that has only sides: a contact at its edge, what pulls at the side to which it pulls, all
+    else in its middle.
+    """
+    if not isinstance(mark, Arrow):
+        return mark
+    if kind in PRESSING:
+        return replace(mark, at=body.foot)
+    ahead = meets(body.ring, body.middle, mark.angle) if kind in PULLING else []
+    return replace(mark, at=moved(body.middle, mark.angle, max(ahead, default=0.0)), inward=False)
 
 
 def _mark(drawn: Drawn, vector: _Vector, at: Spot, center: Spot | None, style: Style) -> Iterator[Mark]:

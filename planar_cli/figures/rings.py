@@ -71,6 +71,16 @@ def inside(ring: Sequence[Spot], at: Spot, margin: float = 0.0) -> bool:
     return len(ring) > 2 and all(turn(a, b, at) >= margin * math.dist(a, b) for a, b in sides(ring))
 
 
+def middle_of(ring: Sequence[Spot]) -> Spot:
+    """The middle of an area."""
+    (x0, y0), total, mx, my = ring[0], 0.0, 0.0, 0.0
+    for a, b in sides(ring):
+        part = turn(ring[0], a, b)
+        total += part
+        mx, my = mx + part * (x0 + a[0] + b[0]) / 3, my + part * (y0 + a[1] + b[1]) / 3
+    return (mx / total, my / total)
+
+
 def off(at: Spot, angle: float, place: Spot) -> float:
     return abs(across(at, angle, place))
 

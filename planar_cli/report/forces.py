@@ -113,7 +113,7 @@ def _acting(instant: InstantSolution, stage: Stage, body: str, phrases: Phrases,
                 parts.append(
                     [
                         _amount(size, FORCE * lasting, plain),
-                        pointing(phrases, told, w.point, w.force, w.kind == MOMENTA),
+                        pointing(phrases, told, w.point, w.force, w.kind == MOMENTA, w.kind),
                     ]
                 )
             elif w.couple != 0:
@@ -244,10 +244,10 @@ def _push(push: Push, expr: sp.Expr, action: Any, phrases: Phrases, where: str, 
         return [_amount(-expr if back else expr, ENERGY, phrases), turning]
     if expr.could_extract_minus_sign():
         told = f" {phrases.arrow(-action.force.x, -action.force.y)}{where}"
-        return [phrases.math(-expr), pointing(phrases, told, action.point, action.force)]
+        return [phrases.math(-expr), pointing(phrases, told, action.point, action.force, kind=push.kind)]
     assumed = ASSUMED if push.kind == "friction" and expr.is_Symbol and not sure else ""
     told = f" {phrases.arrow(action.force.x, action.force.y)}{where}{assumed}"
-    return [Math(expr), pointing(phrases, told, action.point, action.force)]
+    return [Math(expr), pointing(phrases, told, action.point, action.force, kind=push.kind)]
 
 
 def _at(instant: InstantSolution, point: Any, body: str) -> str:

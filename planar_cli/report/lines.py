@@ -28,7 +28,8 @@ KEPT = 10_000
 class Way:
     """Where a vector is drawn, in exact expressions: at a place, in a direction (None: it is a couple, whose sense the
     words tell), with the numbers of the position in which the words tell its way. `bodies`: it is no vector but the
-    point about which moments of these are taken; `before`: it is a momentum before a blow, beside impulses.
+    point about which moments of these are taken; `before`: it is a momentum before a blow, beside impulses; `kind`: of
+    a force, as weight, spring, normal, friction, tension; else "".
     """
 
     place: Vec
@@ -36,6 +37,7 @@ class Way:
     value: Valuation
     bodies: tuple[str, ...] = ()
     before: bool = False
+    kind: str = ""
 
 
 @record

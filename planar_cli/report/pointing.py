@@ -10,11 +10,13 @@ from planar_cli.report.blocks import Block, Name, Paragraph, Text, Way
 from planar_cli.report.words import Phrases
 
 
-def pointing(phrases: Phrases, told: str, place: Vec, direction: Vec | None = None, before: bool = False) -> Text:
+def pointing(
+    phrases: Phrases, told: str, place: Vec, direction: Vec | None = None, before: bool = False, kind: str = ""
+) -> Text:
     """`told`: the words. `direction`: of a force, its own or the opposite one, whichever the words tell; None: of a
-    couple. `before`: it is a momentum before a blow.
+    couple. `before`: it is a momentum before a blow. `kind`: of a force.
     """
-    return Text(told, way=Way(place, direction, phrases.drawn or phrases.value, before=before))
+    return Text(told, way=Way(place, direction, phrases.drawn or phrases.value, before=before, kind=kind))
 
 
 def about(phrases: Phrases, told: str, place: Vec | None, bodies: Sequence[str]) -> Text:
