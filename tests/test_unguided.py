@@ -6,7 +6,7 @@ import pytest
 from test_figures_bodies import drawings
 
 from planar_cli.report.blocks import Name, line
-from planar_cli.report.marks import Arrow, Dimension, Hatched, Polyline, Slot, Spot, Symbol, Tag
+from planar_cli.report.marks import Arrow, Dimension, Hatched, Polyline, Slot, Span, Spot, Symbol, Tag
 
 
 @pytest.mark.parametrize("name", ["energy/weight-dropped-on-nested-springs", "oscillations/block-hung-on-a-spring"])
@@ -71,3 +71,14 @@ def test_a_dumbbell_keeps_its_balls_in_later_states() -> None:
     marks = drawings("impact/dumbbell-hit-by-a-ball")["scene"].panels[0].marks
     (rod,) = (m for m in marks if isinstance(m, Polyline) and m.style == "hidden")
     assert {*rod.places} <= {m.at for m in marks if isinstance(m, Symbol) and m.kind == "place"}
+
+
+def test_what_is_asked_at_a_time_is_drawn_at_that_time() -> None:
+    (pin,) = {m.at for m in drawings("textbook/ex-1-14")["scene"].panels[0].marks if getattr(m, "kind", "") == "slider"}
+    assert pin == pytest.approx((-0.26744, 0.5), abs=1e-4), "0.5 m / tan(118.14 deg)"
+
+
+def test_a_file_of_points_alone_has_its_lines_and_the_vectors_that_are_asked() -> None:
+    marks = drawings("textbook/ex-1-02")["scene"].panels[0].marks
+    assert len([m for m in marks if isinstance(m, Polyline) and m.style == "thin"]) == 7, "OC, and OA, AB, CB twice"
+    assert [m.words for m in marks if isinstance(m, Span)] == [line(Name("r_A2/A")), line(Name("r_B2/B"))]

@@ -17,12 +17,14 @@ from planar_cli.figures.hanging import hanging, hangs_along
 from planar_cli.figures.held_later import slack_marks
 from planar_cli.figures.joints_drawn import sketch_marks
 from planar_cli.figures.measures import measure_marks
+from planar_cli.figures.motions_in_states import moving_in
 from planar_cli.figures.names import names_of_bodies
 from planar_cli.figures.orbits import on_orbits
 from planar_cli.figures.outlines import edges
 from planar_cli.figures.parallel import with_parallel_ropes
 from planar_cli.figures.partners import between, is_slot, partners, sketch_of, sliders, touching
 from planar_cli.figures.paths import course_of, curve_of, pole_of
+from planar_cli.figures.points_only import lines_of_points
 from planar_cli.figures.positions import (
     Later,
     asked_places,
@@ -82,13 +84,8 @@ def arrangement(part: PartSolution, whole: Mapping[str, tuple[Spot, ...]]) -> Pa
     in later states. `whole`: the paths that are asked for.
     """
     instant, motion = part.instants[0], part.motion
-    drawn = Drawn.as_in_the_file(instant)
-    problem, states = drawn.scene.problem, [s.name for s in drawn.scene.problem.states]
-    if motion is not None:
-        # The one instant of a motion in time is a state without a name.
-        drawn = Drawn.in_state(motion, (states or motion.states)[0]) or drawn
-    regimes = motion.regimes if motion is not None else ()
-    moving = Found.of(drawn, (*(r.solution for r in regimes), instant))
+    problem, states = instant.instant.scene.problem, [s.name for s in instant.instant.scene.problem.states]
+    drawn, moving = _first(part)
     whole_time = motion.problem if motion is not None else problem
     drawn = with_parallel_ropes(drawn, whole_time.joints)
     moving = replace(moving, drawn=drawn) if moving is not None else None
@@ -106,6 +103,22 @@ def arrangement(part: PartSolution, whole: Mapping[str, tuple[Spot, ...]]) -> Pa
     marks = tuple(_marks(drawn, moving, whole_time, places[1:]))
     later = (*position_marks(places, motion, part.run, marks), *asked_places(places, problem))
     return _panel((*marks, *on_orbits(later, part), *state_measures(places, problem)))
+
+
+def _first(part: PartSolution) -> tuple[Drawn, Found | None]:
+    """The position that is drawn, and the motion there."""
+    instant, motion = part.instants[0], part.motion
+    drawn = Drawn.as_in_the_file(instant)
+    if motion is None:
+        return drawn, Found.of(drawn, (instant,))
+    states = [s.name for s in drawn.scene.problem.states]
+    # The one instant of a motion in time is a state without a name: what is asked at a time is drawn at that time.
+    there = Drawn.in_state(motion, (states or motion.states)[0])
+    placed = moving_in(part, "") if there is None and not states else None
+    if placed is not None and placed.drawn.is_placed:
+        return placed.drawn, placed
+    drawn = there or drawn
+    return drawn, Found.of(drawn, (*(r.solution for r in motion.regimes), instant))
 
 
 def arranged(drawn: Drawn) -> Panel:
@@ -187,7 +200,7 @@ def _marks(drawn: Drawn, moving: Moving | None, whole: Problem, later: Sequence[
     yield from _points(drawn, shown.values(), bars, sketched)
     tagged = {**shown, **_particles(drawn, problem, shown, aside)}
     tagged |= {name: (tagged[name][0] + x, tagged[name][1] + y) for name, (x, y) in aside.items() if name in tagged}
-    measures = [*measure_marks(drawn, problem, tagged, edges_of)]
+    measures = [*lines_of_points(drawn, tagged), *measure_marks(drawn, problem, tagged, edges_of)]
     yield from (*measures, *_origin(measures, tagged))
     if moving is not None:
         yield from arrows_apart(given_motion_marks(moving, problem, aside, guided(drawn, joints)), sketched)
