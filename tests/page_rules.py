@@ -479,11 +479,14 @@ def _flat(side: str) -> str:
 
 
 def diagrams(page: Page) -> Iterator[str]:
-    """Rule 5: force lists with a body for a place, a norm, a couple without its name, or without m a."""
+    """Rule 5: force lists with a body for a place, a norm, a couple without its name, or without m a. A particle of a
+    group is a place in its list.
+    """
     labels = {r.lead for r in page.of("forces")}
     for r in page.of("forces"):
         places = re.findall(r" at ([\w.]+)", " ".join(r.sides))
-        if any(p in labels and len(p) > 1 for p in places):
+        group = r.lead.rstrip(":").split(", ")
+        if any(p in labels and len(p) > 1 for p in places if len(group) < 2 or p not in group):
             yield f"at body: {r.text}"
         if re.search(r"√\(.*(sin|cos)².*(sin|cos)²", r.sides[1]):
             yield f"norm: {r.text}"

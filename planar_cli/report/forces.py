@@ -371,7 +371,7 @@ def _clean(amount: sp.Expr, stage: Stage, phrases: Phrases, dimension: Dimension
 
 def _apart(direction: Vec, turning: sp.Expr, instant: InstantSolution, body: str) -> list[tuple[Vec, sp.Expr]]:
     """A vector in plain lengths, but as one where it is an arm of the file, whose distance has the name OG."""
-    parts = in_plain_lengths(direction, turning)
+    parts = in_plain_lengths(direction, turning, instant.value)
     turned = sp.sympify(direction.x).has(sp.sin, sp.cos) or sp.sympify(direction.y).has(sp.sin, sp.cos)
     if len(parts) == 1 or turned or distance_drawn(direction, turning, instant, body) is None:
         return parts

@@ -26,6 +26,8 @@ from planar_cli.solve.solution import InstantSolution
 
 MOST = 4
 """The diagrams of a chain of more bodies are told one by one: those of its groups would be as long as all of them."""
+VECTORS = 11
+"""A diagram of more forces and accelerations is not read: its bodies have theirs one by one."""
 NOTHING = line("0")
 DRIVE = re.compile("drive_")
 ARROWS = "→←↑↓↗↙↖↘↺↻"
@@ -43,7 +45,9 @@ def with_groups(rows: Sequence[Forces], instant: InstantSolution, told: Iterable
     groups = [own for g, own in drawn.items() if len(own) > 1 and g == {b for r in own for b in _bodies(r)}]
     taken = {b for own in groups for r in own for b in _bodies(r)}
     kept = [r for r in rows if frozenset(_bodies(r)) in sets or not taken.issuperset(_bodies(r))]
-    return [*kept, *(_together(own, instant) for own in sorted(groups, key=len))]
+    made = [_together(own, instant) for own in sorted(groups, key=len)]
+    full = any(sum(1 for side in (r.left, r.right) for _ in _told(side)) > VECTORS for r in made)
+    return list(rows) if full else [*kept, *made]
 
 
 def _bodies(row: Forces) -> list[str]:

@@ -89,7 +89,7 @@ def _diagram(solution: InstantSolution, body: str, couple: sp.Symbol, phrases: P
         left: list[Any] = []
         for piece in row.left:
             drives = isinstance(piece, Math) and piece.expr in _drives(system, body)
-            left += [Math(couple), Text(" ↺")] if drives else [piece]
+            left.append(Math(couple) if drives else piece)
         yield replace(row, left=tuple(p for p in left if p not in (Text(""), Text(" "))))
 
 

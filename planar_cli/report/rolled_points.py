@@ -7,7 +7,9 @@ from collections.abc import Iterator, Sequence
 
 import sympy as sp
 
+from planar_cli.equation.bounds import certain_sign
 from planar_cli.equation.centres import centre_of
+from planar_cli.equation.exact import Valuation
 from planar_cli.equation.expansion import expanded
 from planar_cli.equation.motion import Twist
 from planar_cli.equation.plain import longer, simplified
@@ -154,7 +156,7 @@ def _from_the_centre(system: System, body: str, centre: tuple[str, Vec, Vec], ph
     yield Equation(sides, None, note=note)
 
 
-def in_plain_lengths(direction: Vec, component: sp.Expr) -> list[tuple[Vec, sp.Expr]]:
+def in_plain_lengths(direction: Vec, component: sp.Expr, value: Valuation) -> list[tuple[Vec, sp.Expr]]:
     """A vector whose length is the root of a sum, R ω² √(1 + θ²), as those along and across what it turns with. One
     that turns with nothing stays what it is where its parts may point the other way, as from a place (x, y) towards a
     centre (0, -d).
@@ -171,9 +173,17 @@ def in_plain_lengths(direction: Vec, component: sp.Expr) -> list[tuple[Vec, sp.E
             groups.setdefault(sign * rest, [sp.S.Zero, sp.S.Zero])[i] += sign * wave
     units = [(Vec(x, y), rest * component) for rest, (x, y) in groups.items()]
     turns = any(sp.sympify(p).has(sp.sin, sp.cos) for p in (direction.x, direction.y))
-    certain = turns or all(rest.is_positive for rest in groups)
+    certain = turns or all(certain_sign(_in_data(rest, value)) == 1 for rest in groups)
     plain = certain and len(units) > 1 and all(simplified(way.dot(way)) == 1 for way, _ in units)
     return units if plain else [(direction, component)]
+
+
+def _in_data(length: sp.Expr, value: Valuation) -> sp.Expr:
+    """With what its letters stand for, as x_G for e m/M, down to the data."""
+    known = dict(value.definitions)
+    while length.free_symbols & known.keys():
+        length = sp.sympify(length.xreplace(known))
+    return length
 
 
 def _size(x: sp.Expr, y: sp.Expr) -> sp.Expr | None:
