@@ -21,7 +21,7 @@ from planar_cli.report.told_before import defined_once
         ("bicycle-driven-and-braked", "STEP 5 Kinematic analysis as from 1 to 2: (10) to (13), there (1) to (4)"),
         (
             "bicycle-driven-and-braked",
-            "Diagrams as from 1 to 2, but on rear no M_c ↻; on front also M_b ↺; on frame, rear also M_b ↻.",
+            "Diagrams as from 1 to 2, but on frame M_b ↻ in place of M_c ↺; on rear no M_c ↻; on front also M_b ↺.",
         ),
     ],
 )

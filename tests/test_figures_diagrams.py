@@ -65,7 +65,7 @@ def test_a_point_of_the_file_about_which_moments_are_taken_stands_in_both() -> N
     ("stem", "dashed", "notes"),
     [
         ("ball-pushed-without-friction", [1], ["dashed: direction assumed; found: F_C to the left"]),
-        ("bicycle-driven-and-braked", [1, 1, 1, 2], [*NOTES]),
+        ("bicycle-driven-and-braked", [0, 1, 1], [*NOTES]),
         ("ex-4-16", [0], ["found: a_Gy*m downward"]),
         ("double-pulley", [0, 0, 0], [*PULLEY]),
         ("box-that-tips-over", [0], ["found: J_x to the left"]),

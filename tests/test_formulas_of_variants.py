@@ -48,6 +48,6 @@ def test_the_formula_of_the_file_stands_where_it_holds(hit: Prepared) -> None:
 def test_the_sheet_tells_in_which_letters_a_formula_is_asked(hit: Prepared) -> None:
     homework = Homework("hit", "", {1: Paper(1, (hit.tasks[1],))}, {}, "", (), Rules())
     told = page(sheet(homework, Handed("sheet-1", 1)), "", "markdown").decode()
-    assert "in N·s, as a formula in v\\_0 (1 point)" in told
+    assert "in N·s, as a formula in $v_{0}$ (1 point)" in told
     assert "# 2/7*v_0" in told
     assert "$v_{0}$ in m/s)" in page(key(homework, [1], worked=False), "", "markdown").decode()

@@ -66,11 +66,11 @@ def test_what_has_no_value_where_the_answer_has_one_is_wrong(homework: Homework)
 @pytest.mark.parametrize(
     ("wrong", "find", "typed"),
     [
-        ("N", "v", "sqrt(2*L*(g*sin(beta) - mu*(m*g*sin(beta))/m))"),
-        ("N_held", "v_held", "sqrt(2*L*(g*sin(beta) - mu*g*sin(beta) - P/m))"),
+        ("N", "v", "sqrt(2*L*(g*sin(beta) - mu*(m*g*cos(beta)/2)/m))"),
+        ("N_held", "v_held", "sqrt(2*L*(g*sin(beta) - mu*g*cos(beta)/2 - P/m))"),
     ],
 )
 def test_an_own_force_is_carried_on(homework: Homework, wrong: str, find: str, typed: str) -> None:
-    found = graded(homework, **{wrong: "m*g*sin(beta)", find: typed})
+    found = graded(homework, **{wrong: "m*g*cos(beta)/2", find: typed})
     assert found[wrong].verdict == "wrong"
     assert found[find].carried == (wrong,)

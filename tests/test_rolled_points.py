@@ -6,10 +6,13 @@ import sympy as sp
 from conftest import ROOT
 from worked import worked
 
+from planar_cli.equation.exact import Valuation
 from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.geometry import Vec
 from planar_cli.report.narrate import narrate
 from planar_cli.report.rolled_points import in_plain_lengths
+
+NO_DATA = Valuation({})
 
 
 def _page(name: str) -> str:
@@ -29,14 +32,16 @@ def test_a_plank_that_rolls_on_a_trunk() -> None:
 def test_a_vector_of_two_plain_lengths() -> None:
     theta, radius = sp.Symbol("theta", real=True), sp.Symbol("R", positive=True)
     along, across = Vec(-sp.cos(theta), -sp.sin(theta)), Vec(-sp.sin(theta), sp.cos(theta))
-    found = in_plain_lengths(across * radius + along * (radius * theta), sp.S.One)
+    found = in_plain_lengths(across * radius + along * (radius * theta), sp.S.One, NO_DATA)
     assert {size for _, size in found} == {radius, radius * theta}
-    assert in_plain_lengths(across * radius, theta) == [(across * radius, theta)]
+    assert in_plain_lengths(across * radius, theta, NO_DATA) == [(across * radius, theta)]
 
 
 def test_parts_that_may_point_the_other_way_stay_together() -> None:
-    """From a place (x, y) towards a centre (0, -d) it is one arrow; R → and c ↓ are two."""
+    """From a place (x, y) towards a centre (0, -d) it is one arrow; R → and c ↓ are two, and c may stand for others."""
     x, y, d, c = sp.Symbol("x", real=True), sp.Symbol("y", real=True), *sp.symbols("d c", positive=True)
     inward = Vec(-x, -d - y)
-    assert in_plain_lengths(inward, sp.S.One) == [(inward, sp.S.One)]
-    assert {size for _, size in in_plain_lengths(Vec(d, -c), sp.S.One)} == {c, d}
+    assert in_plain_lengths(inward, sp.S.One, NO_DATA) == [(inward, sp.S.One)]
+    assert {size for _, size in in_plain_lengths(Vec(d, -c), sp.S.One, NO_DATA)} == {c, d}
+    stands = Valuation({}, {y: d / 2})
+    assert {size for _, size in in_plain_lengths(Vec(d, -y), sp.S.One, stands)} == {d, y}
