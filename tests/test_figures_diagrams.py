@@ -17,7 +17,7 @@ from planar_cli.report.blocks import Document, Drawing, Forces, Inline, Math, Na
 from planar_cli.report.marks import Arrow, Dimension, Figure, Polyline, Symbol, Tag
 
 DASHED = "dashed: direction assumed"
-NOTES = (DASHED, f"{DASHED}; found: F_D to the left", DASHED, f"{DASHED}; found: F_D to the left")
+NOTES = ("", DASHED, f"{DASHED}; found: F_D to the left")
 PULLEY = ("found: a_Ay*m_A downward", "", "found: I_pulley*alpha clockwise, a_Ay*m_A downward")
 
 
