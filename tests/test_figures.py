@@ -24,7 +24,7 @@ from planar_cli.report.narrate import narrate
 from planar_cli.solve.run import solve_problem
 from planar_cli.typeset import _Tree, pdf
 
-EVERY = 12
+EVERY = 24
 """Of so many problem files one is drawn in each run, all of them in the slow studies."""
 
 

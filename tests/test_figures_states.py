@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -22,7 +23,7 @@ from planar_cli.report.narrate import narrate
 from planar_cli.solve.between.trace import MotionTrace
 from planar_cli.solve.solved_problem import PartSolution
 
-EVERY = 12
+EVERY = 24
 """Of so many problem files one is drawn in each run, as in test_figures.py."""
 DOTS = ("point", "particle", "place", "pin", "ring")
 
@@ -56,6 +57,7 @@ def test_a_body_is_drawn_where_the_page_has_it(path: Path) -> None:
                 assert spot[axis] == pytest.approx(float(told), abs=1e-9), (state, body)
 
 
+@cache
 def scene_of(path: Path) -> tuple[Figure, PartSolution] | None:
     """The arrangement of a file with the part of its solution that it shows."""
     solution = worked(path)[0]

@@ -26,7 +26,7 @@ from planar_cli.report.marks import Arrow, Dimension, Figure, Tag
 PROBLEM = ROOT / "tests" / "homework" / "slope.yaml"
 TWICE = ("latex", PDF)
 """Made twice; other tests do so with the other formats."""
-EVERY = 12
+EVERY = 24
 """Of so many problem files one is drawn in each run."""
 
 
