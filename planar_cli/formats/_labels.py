@@ -8,7 +8,7 @@ far from its place that it could belong elsewhere is led to it by a thin line.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 
 from planar_cli.formats._ink import Ink
 from planar_cli.formats._paper import Box, Paper, Placed, Spot, Stroke, Words, along
@@ -31,6 +31,13 @@ SPACE = 5.0
 """Between two labels beside each other, px."""
 LED, SPARE = 15.0, 2.5
 """Words farther away than this have a line to their place, px; so much of it is left out at either end."""
+
+ORDERS: tuple[Callable[[Words], float], ...] = (
+    lambda w: -w.width,
+    lambda w: w.width,
+    lambda w: w.anchor[0],
+    lambda w: -w.anchor[0],
+)
 
 
 def with_labels(paper: Paper, led: bool = True) -> Paper:
@@ -94,8 +101,20 @@ class _Candidate:
 
 
 def _set(words: Sequence[Words], ground: _Ground) -> list[_Candidate]:
-    """The place of each of some words."""
-    order = sorted(range(len(words)), key=lambda i: (not words[i].fixed, -words[i].width))
+    """The place of each of some words: the widest first; where some cover something then, also in other orders."""
+    best, least = list[_Candidate](), math.inf
+    for way in ORDERS:
+        found = _in_order(words, ground, sorted(range(len(words)), key=lambda i: (not words[i].fixed, way(words[i]))))
+        rest = ((c, [o for o in found if o is not c]) for c in found)
+        cost = sum(_covers(c, others, ground) >= COVERS for c, others in rest)
+        if cost < least:
+            best, least = found, cost
+        if not cost or ground.cell[0]:
+            break
+    return best
+
+
+def _in_order(words: Sequence[Words], ground: _Ground, order: Sequence[int]) -> list[_Candidate]:
     set_: dict[int, _Candidate] = {}
     for _ in range(ROUNDS):
         before = dict(set_)
