@@ -24,7 +24,7 @@ FILES = (
     "rigid-bodies/gyration-from-test",
     "textbook/ex-4-05",
 )
-SAMPLE = 40
+SAMPLE = 20
 
 
 def offenders(results: list[mutations.Judged]) -> list[str]:
