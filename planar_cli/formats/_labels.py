@@ -129,26 +129,34 @@ def _best(words: Words, others: Sequence[_Candidate], ground: _Ground) -> _Candi
     if words.fixed:
         return _Candidate(ground.box(_box(words, words.angles[0], words.gap)))
     best, least = None, math.inf
-    for one, cost in _candidates(words, ground):
+    for ring in (0.0, *FAR) if words.within else FAR:
         # What costs more where it is, costs more whatever it covers.
-        if cost < least and (total := cost + _covers(one, others, ground)) < least:
-            best, least = one, total
+        if _least_of(words, ring) >= least:
+            break
+        for one, cost in _candidates(words, ground, ring):
+            if cost < least and (total := cost + _covers(one, others, ground)) < least:
+                best, least = one, total
     assert best is not None
     return best
 
 
-def _candidates(words: Words, ground: _Ground) -> Iterator[tuple[_Candidate, float]]:
-    """Places round an anchor, with what it costs to be there, whatever else is."""
-    x, y, half_w, half_h = *words.anchor, words.width / 2, words.height / 2
-    if words.within:
+def _least_of(words: Words, far: float) -> float:
+    """What it costs at least to be so far from the anchor; 0: in the gap that is left for the words."""
+    return (OUTSIDE if words.within else 0.0) + AWAY * (far - 1) if far else 0.0
+
+
+def _candidates(words: Words, ground: _Ground, far: float) -> Iterator[tuple[_Candidate, float]]:
+    """Places so far round an anchor, with what it costs to be there, whatever else is."""
+    if not far:
+        x, y, half_w, half_h = *words.anchor, words.width / 2, words.height / 2
         box = ground.box(Box(x - half_w, y - half_h, x + half_w, y + half_h))
         yield _Candidate(box), ground.beyond(box)
-    for far in FAR:
-        for angle in (*words.angles, *ANGLES):
-            box = ground.box(_box(words, angle, words.gap * far))
-            off = min((abs(math.remainder(angle - a, 2 * math.pi)) for a in words.angles), default=0.0)
-            cost = (OUTSIDE if words.within else 0.0) + AWAY * (far - 1) + TURNED * off
-            yield _Candidate(box, ground.leader(words.anchor, box)), cost + ground.beyond(box)
+        return
+    for angle in (*words.angles, *ANGLES):
+        box = ground.box(_box(words, angle, words.gap * far))
+        off = min((abs(math.remainder(angle - a, 2 * math.pi)) for a in words.angles), default=0.0)
+        cost = _least_of(words, far) + TURNED * off
+        yield _Candidate(box, ground.leader(words.anchor, box)), cost + ground.beyond(box)
 
 
 def _covers(one: _Candidate, others: Iterable[_Candidate], ground: _Ground) -> float:
