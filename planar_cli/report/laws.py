@@ -192,7 +192,16 @@ def _same_rate(law: Equation, result: Equation) -> bool:
     assert isinstance(own, Math)
     assert isinstance(other, Math)
     same = is_rate_of(other.expr.name, own.expr.name)
-    return same and [str(s) for s in law.sides[1:]] == [str(s) for s in result.sides[1 : len(law.sides)]]
+    sides = zip(law.sides[1:], result.sides[1:], strict=False)
+    return same and len(law.sides) <= len(result.sides) and all(_alike(a, b) for a, b in sides)
+
+
+def _alike(one: object, other: object) -> bool:
+    """Do two sides read alike? Pieces of a table are compared term by term, 5 (3 - t) with 15 - 5 t."""
+    if str(one) == str(other):
+        return True
+    pieces = [s.expr for s in (one, other) if isinstance(s, Math) and not s.values and s.expr.has(sp.Piecewise)]
+    return len(pieces) == 2 and sp.expand(pieces[0]) == sp.expand(pieces[1])
 
 
 def _text(equation: Equation) -> str:
