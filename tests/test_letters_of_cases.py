@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import pytest
-from homework_made import homework_of, set_of
 
 from planar_cli.homework.carried_errors import Carrier, unpickled
 from planar_cli.homework.grading import grade
+from planar_cli.homework.homework import assembled, prepared
 from planar_cli.homework.paper import Graded, Submission
 from planar_cli.homework.ready import Homework
 from planar_cli.homework.rules import Rules
+from planar_cli.homework.set_file import read_set
 
 SLOPE = """
 plane: vertical
@@ -37,7 +38,11 @@ cases:
 
 @pytest.fixture(scope="module")
 def homework(tmp_path_factory: pytest.TempPathFactory) -> Homework:
-    return homework_of(set_of(tmp_path_factory.mktemp("cases"), slope=SLOPE))
+    path = tmp_path_factory.mktemp("cases") / "set.yaml"
+    (path.parent / "slope.yaml").write_text(SLOPE)
+    path.write_text("problems: [slope.yaml]\n")
+    homework_set = read_set(str(path))
+    return assembled(homework_set, [prepared(p, 0, 1) for p in homework_set.problems])
 
 
 def graded(homework: Homework, **typed: str) -> dict[str, Graded]:
@@ -66,11 +71,11 @@ def test_what_has_no_value_where_the_answer_has_one_is_wrong(homework: Homework)
 @pytest.mark.parametrize(
     ("wrong", "find", "typed"),
     [
-        ("N", "v", "sqrt(2*L*(g*sin(beta) - mu*(m*g*cos(beta)/2)/m))"),
-        ("N_held", "v_held", "sqrt(2*L*(g*sin(beta) - mu*g*cos(beta)/2 - P/m))"),
+        ("N", "v", "sqrt(2*L*(g*sin(beta) - mu*(m*g*sin(beta))/m))"),
+        ("N_held", "v_held", "sqrt(2*L*(g*sin(beta) - mu*g*sin(beta) - P/m))"),
     ],
 )
 def test_an_own_force_is_carried_on(homework: Homework, wrong: str, find: str, typed: str) -> None:
-    found = graded(homework, **{wrong: "m*g*cos(beta)/2", find: typed})
+    found = graded(homework, **{wrong: "m*g*sin(beta)", find: typed})
     assert found[wrong].verdict == "wrong"
     assert found[find].carried == (wrong,)

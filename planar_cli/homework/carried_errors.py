@@ -233,12 +233,14 @@ def _at_places(
     for k, place in enumerate(places):
         here = {n: (typed[k],) for n, typed in own.items() if n in right and len(typed) == len(places)}
         due = {n: (numbers[k],) for n, numbers in right.items()}
-        found = _carried(problem, (variant, k), {n: v / units.get(n, 1.0) for n, v in place}, expected, due, here, way)
-        if found is None or len(found[0]) != 1:
-            return None
-        values.append(found[0][0])
-        names = found[1]
-    return (tuple(values), names) if values else None
+        known = {n: v / units.get(n, 1.0) for n, v in place}
+        try:
+            found = _carried(problem, (variant, k), known, expected, due, here, way)
+        except NoNumber:
+            found = None
+        values.append(found[0][0] if found is not None and len(found[0]) == 1 else math.nan)
+        names = found[1] if found is not None else names
+    return (tuple(values), names) if any(map(math.isfinite, values)) else None
 
 
 def _carried(

@@ -23,14 +23,19 @@ NUDGED, FEWEST = 0.99, 4
 
 
 def values_of(expected: Expected, text: str) -> tuple[float, ...] | None:
-    """What a typed formula comes to at the places of the find; None: it has no value there."""
+    """What a typed formula comes to at the places of the find, NaN where it has no value, as the root of a negative
+    number; None: it has one at too few of them.
+    """
     values = values_at(text, expected.places)
-    return values if values and all(map(math.isfinite, values)) else None
+    return values if values and sum(map(math.isfinite, values)) >= min(FEWEST, len(values)) else None
 
 
 def same_at_places(one: Sequence[float], other: Sequence[float]) -> bool:
-    """Do two formulas come to the same?"""
-    return len(one) == len(other) and all(math.isclose(a, b, rel_tol=WIDEST) for a, b in zip(one, other, strict=True))
+    """Do two formulas come to the same, and have no value at the same places?"""
+    if len(one) != len(other) or not any(map(math.isfinite, one)):
+        return False
+    pairs = zip(one, other, strict=True)
+    return all(math.isclose(a, b, rel_tol=WIDEST) or (math.isnan(a) and math.isnan(b)) for a, b in pairs)
 
 
 def fits_at_places(expected: Expected, values: Sequence[float]) -> bool:
