@@ -27,7 +27,8 @@ from planar_cli.solve.solution import InstantSolution
 MOST = 4
 """The diagrams of a chain of more bodies are told one by one: those of its groups would be as long as all of them."""
 VECTORS = 11
-"""A diagram of more forces and accelerations is not read: its bodies have theirs one by one."""
+"""A diagram of more forces and accelerations is not read: its bodies have theirs one by one. What a body's mass times
+acceleration has along one line is one of them."""
 NOTHING = line("0")
 DRIVE = re.compile("drive_")
 ARROWS = "→←↑↓↗↙↖↘↺↻"
@@ -46,7 +47,7 @@ def with_groups(rows: Sequence[Forces], instant: InstantSolution, told: Iterable
     taken = {b for own in groups for r in own for b in _bodies(r)}
     kept = [r for r in rows if frozenset(_bodies(r)) in sets or not taken.issuperset(_bodies(r))]
     made = [_together(own, instant) for own in sorted(groups, key=len)]
-    full = any(sum(1 for side in (r.left, r.right) for _ in _told(side)) > VECTORS for r in made)
+    full = any(sum(1 for _ in _told(r.left)) + _moving(r.right) > VECTORS for r in made)
     return list(rows) if full else [*kept, *made]
 
 
@@ -93,6 +94,25 @@ def _outer(acting: Sequence[tuple[list[str], list[Line]]], system: System) -> It
         if i not in inner and (other := next(found, None)) is not None:
             inner |= {i, other}
     yield from (entry for i, (_, entry) in enumerate(every) if i not in inner)
+
+
+def _moving(side: Line) -> int:
+    """The arrows of a kinetic diagram: several parts along one line through one point, [m l α_AB, 1/2 m l α_BC] ↑ at
+    G_BC, are drawn as one.
+    """
+    seen: list[Way] = []
+    ways = [way for entry in _told(side) if (way := _parts(entry)[1]) is not None]
+    for way in ways:
+        if not any(_one_line(way, other) for other in seen):
+            seen.append(way)
+    return len(seen)
+
+
+def _one_line(one: Way, other: Way) -> bool:
+    if one.direction is None or other.direction is None:
+        return False
+    arm = other.place - one.place
+    return all(d == 0 or one.value.vanishes(d) for d in (one.direction.cross(other.direction), arm.x, arm.y))
 
 
 def _acts_between(entry: Line, some: Sequence[str], others: Sequence[str], system: System) -> bool:
