@@ -9,12 +9,13 @@ import pytest
 from conftest import PROBLEMS
 from test_figures import illustrated_page
 
+from planar_cli.figures.lanes import in_lanes
 from planar_cli.formats._drawn_small import small_drawing
 from planar_cli.formats._svg import panels, svg
 from planar_cli.formats._tikz import tikz
 from planar_cli.formats.html import Html
 from planar_cli.report.blocks import Document, Drawing, Forces, Inline, Math, Name, Text, line
-from planar_cli.report.marks import Arrow, Dimension, Figure, Polyline, Symbol, Tag
+from planar_cli.report.marks import Arc, Arrow, Dimension, Figure, Polyline, Symbol, Tag
 
 DASHED = "dashed: direction assumed"
 NOTES = ("", DASHED, f"{DASHED}; found: F_D to the left")
@@ -107,13 +108,10 @@ def test_a_blow_is_momentum_before_and_impulses_and_momentum_after() -> None:
 
 
 def test_forces_along_one_line_stand_side_by_side() -> None:
-    """Both strands of a cord on both sides of the weight, and all of one length."""
-    (middle,) = [f for f in diagrams("two-stage-atwood-machine") if f.words.endswith(" M")]
-    lower = [m for m in middle.panels[0].marks if isinstance(m, Arrow) and math.sin(m.angle) < 0]
-    told = sorted((m.aside, "".join(plain(p) for p in m.words)) for m in lower)
-    assert [words for _, words in told] == ["T_lower", "g*m_M", "T_lower"]
-    assert told[0][0] == -told[2][0] < told[1][0] == 0
-    assert {m.reach for m in lower} == {1.0}
+    """Both strands of a cord on both sides of the weight."""
+    told = [Arrow((0.0, 0.0), -math.pi / 2, "force", line(word)) for word in ("T", "m g", "T")]
+    asides = [m.aside for m in in_lanes(told) if isinstance(m, Arrow)]
+    assert asides[0] == -asides[2] != 0 == asides[1]
 
 
 @pytest.mark.parametrize(("case", "far"), [(0, 0.2), (1, 0.3)])
@@ -234,3 +232,15 @@ def test_a_block_with_sides_alone_has_its_weight_in_its_middle_and_contacts_at_i
     assert told["W_B"] == told["a_B*m_block_B"] == pytest.approx((0, 0.5))
     assert told["N_B"] == told["N_B*mu_2"] == pytest.approx((0, 0))
     assert (told["P"], told["T"]) == (pytest.approx((0.5, 0.5)), pytest.approx((-0.5, 0.5)))
+
+
+def test_a_rope_pulls_where_its_strand_leaves_the_rim() -> None:
+    """Away from its body; of a wheel that only the drawing has, that wheel is in both diagrams."""
+    boom = [m for m in diagrams("boom-when-its-rope-breaks")[0].panels[0].marks if isinstance(m, Arrow)]
+    assert [m.inward for m in boom if plain(m.words[0]) == "T"] == [False]
+    for stem, body in (("moving-pulley", "B"), ("block-on-a-table-and-a-moving-pulley", "load")):
+        free, kinetic = next(f for f in diagrams(stem) if f.words.endswith(body)).panels
+        (rim,) = [m for m in free.marks if isinstance(m, Arc)]
+        pulls = [m for m in free.marks if isinstance(m, Arrow) and plain(m.words[0]).startswith("T")]
+        assert sorted(m.at[0] - rim.center[0] for m in pulls) == pytest.approx([-rim.radius, rim.radius])
+        assert [m for m in kinetic.marks if isinstance(m, Arc)] == [rim]

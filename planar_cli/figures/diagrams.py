@@ -18,6 +18,7 @@ from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.found_ways import note_of
 from planar_cli.figures.lanes import in_lanes
 from planar_cli.figures.moment_centres import with_centres
+from planar_cli.figures.pulling import Pulling
 from planar_cli.figures.rings import across, ends_of, extent_of, inside, meets, middle_of, off, sides, way_of
 from planar_cli.figures.ropes import ropes_within
 from planar_cli.figures.shapes import body_marks, moved
@@ -43,7 +44,8 @@ LEVEL = 1e-6
 """What rises by no more than this part of its length is level."""
 FLAT = 0.25
 """So near to its edge is the middle of a thin body, in parts of its size."""
-PRESSING, PULLING = ("normal", "friction"), ("force", "tension")
+TENSION = "tension"
+PRESSING, PULLING = ("normal", "friction"), ("force", TENSION)
 """Kinds of forces at the edge on which a body stands, and of those at a side of it."""
 INWARD = 0.35
 """The cosine of the angle to the way to the mass centre from which on a force at the edge is drawn as a push."""
@@ -124,6 +126,8 @@ def _panel(drawn: Drawn, row: Forces, vectors: Sequence[_Vector], style: Style, 
     marks: list[Mark] = [slim(m) for b in bodies for m in body_marks(drawn, b)]
     marks += ropes_within(drawn, frozenset(b.name for b in bodies))
     centers = [(spot, b.rigid) for b in bodies if (spot := drawn.spot(b.center)) is not None]
+    pulling = Pulling.of(drawn, bodies, list(_pulls(drawn, row)))
+    marks = [*pulling.wheels(), *marks]
     marks += [Symbol("centre", spot) for spot, rigid in centers if rigid]
     insides = dict(_insides(drawn, bodies))
     marks += [Symbol("centre", own.middle) for own in insides.values()]
@@ -144,13 +148,21 @@ def _panel(drawn: Drawn, row: Forces, vectors: Sequence[_Vector], style: Style, 
         elif named is None and at != center:
             near = NOT_NEEDED in vector.told
             made = [_on_edge(_within(m, areas) if near else m, areas) for m in made]
+        if vector.way.kind == TENSION and at not in insides:
+            made = [pulling.placed(m, at) for m in made]
         tags |= {
             p.name: spot for p in vector.where if isinstance(p, Name) and (spot := drawn.named(p.name)) is not None
         }
         marks += (*made, *_distance(vector, made, tags))
     marks += [Symbol("point", at) for at in tags.values() if at not in (c for c, _ in centers)]
     marks += [Tag(at, line(Name(name))) for name, at in tags.items()]
-    return Panel(tuple(in_lanes(marks)), line(head))
+    return Panel(tuple(in_lanes(marks)), line(head), pulling.least)
+
+
+def _pulls(drawn: Drawn, row: Forces) -> Iterator[Spot]:
+    """Where a list has tensions."""
+    ways = (v.way for v in _vectors(row.left) if v.way.kind == TENSION)
+    yield from (s for way in ways if (s := _spot(drawn, way, way.place)) is not None)
 
 
 def _insides(drawn: Drawn, bodies: Sequence[BodyModel]) -> Iterator[tuple[Spot, _Inside]]:

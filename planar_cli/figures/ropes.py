@@ -39,15 +39,28 @@ class Stop:
     hangs: bool = False
 
 
+@record
+class Strand:
+    """Where a part of a rope leaves a body that it pulls: `off` the place of the file, of the centre of a wheel, along
+    `angle`; `small`: it is a wheel that only the drawing has.
+    """
+
+    body: str
+    center: Spot
+    off: Spot
+    radius: float
+    angle: float
+    small: bool
+
+
 def cord_marks(drawn: Drawn, sketch: Cord) -> Iterator[Mark]:
     """A rope from stop to stop. A point over which it runs is a small wheel, on a hanger if it is fixed."""
     told = [s for stop in sketch.stops if (s := _stop(drawn, stop)) is not None]
     if len(told) < len(sketch.stops):
         return
-    size, lies_flat = _size(drawn), _lies_flat(drawn)
-    along = drawn.angle(sketch.along) if sketch.along is not None else None
-    parallel = _parallel(drawn, sketch, told, along, OFF * size) if along is not None else None
-    stops = parallel or _with_wheels(told, WHEEL * size, lies_flat)
+    lies_flat, along = _lies_flat(drawn), _along(drawn, sketch)
+    parallel = _in_parallel(drawn, sketch, told)
+    stops = parallel or _with_wheels(told, WHEEL * _size(drawn), lies_flat)
     # In a horizontal plane nothing hangs: there it runs round a peg or through a hole.
     yield from (Symbol("ring", s.center) for s in stops[1:-1] if s.fixed and not s.radius and lies_flat)
     for i, wheel in enumerate(stops):
@@ -80,6 +93,30 @@ def ropes_within(drawn: Drawn, bodies: frozenset[str]) -> Iterator[Mark]:
         for sketch in sketch_of(drawn, joint):
             if isinstance(sketch, Cord) and all(not s.fixed and s.body in bodies for s in sketch.stops):
                 yield from cord_marks(drawn, sketch)
+
+
+def strands(drawn: Drawn, sketch: Cord) -> Iterator[Strand]:
+    """Where the straight parts of a rope leave what they pull."""
+    told = [s for stop in sketch.stops if (s := _stop(drawn, stop)) is not None]
+    if len(told) < len(sketch.stops):
+        return
+    stops = _in_parallel(drawn, sketch, told) or _with_wheels(told, WHEEL * _size(drawn), _lies_flat(drawn))
+    for i, (one, other) in enumerate(pairwise(stops)):
+        start, end = straight(one, other)
+        for k, at, to in ((i, start, end), (i + 1, end, start)):
+            (x, y), stop = stops[k].center, sketch.stops[k]
+            yield Strand(
+                stop.body, told[k].center, (at[0] - x, at[1] - y), stops[k].radius, way_of(at, to), not told[k].radius
+            )
+
+
+def _along(drawn: Drawn, sketch: Cord) -> float | None:
+    return drawn.angle(sketch.along) if sketch.along is not None else None
+
+
+def _in_parallel(drawn: Drawn, sketch: Cord, told: Sequence[Stop]) -> list[Stop] | None:
+    along = _along(drawn, sketch)
+    return None if along is None else _parallel(drawn, sketch, told, along, OFF * _size(drawn))
 
 
 def _hung(wheel: Stop, angle: float) -> Iterator[Mark]:
