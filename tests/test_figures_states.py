@@ -18,7 +18,20 @@ from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.illustrated import figures_of, illustrated
 from planar_cli.figures.positions import JOINED
 from planar_cli.report.blocks import Name, Text, line
-from planar_cli.report.marks import Angle, Arc, Arrow, Axes, Dimension, Figure, Hatched, Mark, Polyline, Symbol, Tag
+from planar_cli.report.marks import (
+    Angle,
+    Arc,
+    Arrow,
+    Axes,
+    Coil,
+    Dimension,
+    Figure,
+    Hatched,
+    Mark,
+    Polyline,
+    Symbol,
+    Tag,
+)
 from planar_cli.report.narrate import narrate
 from planar_cli.solve.between.trace import MotionTrace
 from planar_cli.solve.solved_problem import PartSolution
@@ -262,3 +275,19 @@ def test_what_acts_later_or_is_nothing_only_at_first_is_drawn() -> None:
         scene = dict(figures_of(illustrated(narrate(solution), solution)))["scene"]
         arrows = [m for m in scene.panels[0].marks if isinstance(m, Arrow) and m.style == "force"]
         assert len(arrows) == 1, stem
+
+
+def test_what_is_drawn_nearer_goes_on_in_its_own_sense() -> None:
+    """A truck runs 50 m to the right and stands, a crate slides on it by 13 m and 5 m more."""
+    marks = marks_of("crate-that-slides-on-a-braking-truck")
+    tags = {tuple(m.words): m.at[0] for m in marks if isinstance(m, Tag) and m.at[1] < 0.5}
+    assert tags[line("2")] == tags[line("3")] > tags[line("1")]
+
+
+def test_springs_of_later_states_do_not_lie_beside_the_first_as_further_ones() -> None:
+    marks = marks_of("weight-dropped-on-nested-springs")
+    coils = [m for m in marks if isinstance(m, Coil)]
+    assert len(coils) == 2
+    assert coils[0].lane * coils[1].lane < 0, "the two are beside each other"
+    plates = [m.aside for m in marks if isinstance(m, Symbol) and m.kind == "plate"]
+    assert plates[0] * plates[1] < 0, "with the plates at their ends"

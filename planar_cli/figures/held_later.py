@@ -12,7 +12,7 @@ from planar_cli.figures.joints_drawn import sketch_marks
 from planar_cli.figures.partners import sketch_of
 from planar_cli.figures.rings import off, way_of
 from planar_cli.figures.shapes import moved
-from planar_cli.figures.springs import LANE, Strut
+from planar_cli.figures.springs import Strut
 from planar_cli.joints.base import Joint
 from planar_cli.problem.sketches import Absorber, Bar, Cord, Spiral
 from planar_cli.report.marks import Arc, Mark, Polyline, Spot, Symbol
@@ -20,32 +20,21 @@ from planar_cli.report.marks import Arc, Mark, Polyline, Spot, Symbol
 WAVES, SWING = 3, 0.05
 """A slack rope hangs in so many waves, and so far to the side in parts of its length."""
 FINE = 12
-MOST, BESIDE = 2, 0.15
-"""A spring is drawn beside the line of its first position in so many further ones, where its ends come as near to that
-line in parts of its length.
-"""
+BESIDE = 0.15
+"""A spring whose ends come so near to the line of its first position, in parts of its length, would lie on it."""
 
 
 def held_marks(there: Drawn, first: Drawn, between: Sequence[Drawn] = ()) -> list[Mark]:
     """What holds bodies in a later position, dashed, but for what is as it was in the `first` one, or in one of those
-    `between`. Springs and dampers are beside those on which they would lie; of more than `MOST` none.
+    `between`. Of springs and dampers none that would lie on an earlier one: beside that it would be taken for another.
     """
     before = [(name, mark) for drawn in (first, *between) for name, mark in _held(drawn)]
     new = [pair for pair in _held(there, touched=True) if pair not in before]
-    struts = [m for _, m in new if isinstance(m, Strut)]
-    found: list[Mark] = []
-    for name, mark in new:
-        if not isinstance(mark, Strut):
-            found.append(mark)
-            continue
-        own = [m for n, m in before if n == name and isinstance(m, Strut) and _in_line(mark, m)]
-        if not own:
-            found.append(mark)
-        elif len(own) <= MOST:
-            pair = [m for m in struts if {m.start, m.end} == {mark.start, mark.end}]
-            lane = len(pair) * (len(own) - 0.5) + pair.index(mark) + 0.5
-            found.append(replace(mark, lane=LANE * lane))
-    return found
+    return [mark for name, mark in new if not (isinstance(mark, Strut) and _again(name, mark, before))]
+
+
+def _again(name: str, strut: Strut, before: Sequence[tuple[str, Mark]]) -> bool:
+    return any(n == name and isinstance(m, Strut) and _in_line(strut, m) for n, m in before)
 
 
 def _in_line(one: Strut, other: Strut) -> bool:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import field, replace
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
@@ -58,6 +58,8 @@ class Later:
     spots: Mapping[str, Spot]
     angles: Mapping[str, float | None]
     shift: Spot = (0.0, 0.0)
+    own: Mapping[str, Spot] = field(default_factory=dict)
+    """By so much single bodies are besides, so that none is seen to go back that goes ahead or stands, m."""
     lower: Spot = (0.0, 0.0)
     """By so much bodies that flew are drawn lower than where the letters of the scene, as drawn, have them, m."""
     first: Later | None = None
@@ -87,7 +89,7 @@ class Later:
         if self.first is not None:
             turn = (self.angles.get(name) or 0.0) - (self.first.angles.get(name) or 0.0) if body.rigid else 0.0
             shapes = carried(shapes, Pose(self.first.spots[name], 0.0), Pose(self.spots[name], turn))
-        return [shifted(m, self.shift) for m in shapes] or [Symbol("place", self.at(name))]
+        return [shifted(m, self._nearer_by(name)) for m in shapes] or [Symbol("place", self.at(name))]
 
     def is_round(self, name: str) -> bool:
         """Is it a disk, or nothing but a point?"""
@@ -96,7 +98,10 @@ class Later:
 
     def at(self, name: str) -> Spot:
         """Where a body is drawn."""
-        return self.spots[name][0] + self.shift[0], self.spots[name][1] + self.shift[1]
+        return moved_by(self.spots[name], self._nearer_by(name))
+
+    def _nearer_by(self, name: str) -> Spot:
+        return moved_by(self.shift, self.own.get(name, NOWHERE))
 
 
 def positions(drawn: Drawn, motion: MotionTrace, states: Sequence[str]) -> list[Later]:
@@ -207,16 +212,29 @@ def brought_near(places: Sequence[Later], size: float) -> list[Later]:
     most = max(2 * size, min(FAR * 4 * size, LEAST * min(rigid)) if rigid else FAR * size)
     found = [first]
     for before, p in pairwise(places):
-        found.append(_nearer(p, before, found[-1].shift, most) if _reach(p, first) > most else p)
+        found.append(
+            _nearer(p, replace(before, shift=found[-1].shift, own=found[-1].own), most)
+            if _reach(p, first) > most
+            else p
+        )
     return found
 
 
-def _nearer(p: Later, before: Later, shift: Spot, most: float) -> Later:
-    """A position that is drawn no farther from the one before than looks well. `shift`: of that one."""
-    name = max(before.spots.keys() & p.spots.keys(), key=lambda n: math.dist(p.spots[n], before.spots[n]))
-    (x, y), (x0, y0) = p.spots[name], before.spots[name]
-    back = 1 - min(ASIDE * most / math.dist((x, y), (x0, y0)), 1)
-    return replace(p, shift=(shift[0] - (x - x0) * back, shift[1] - (y - y0) * back))
+def _nearer(p: Later, before: Later, most: float) -> Later:
+    """A position that is drawn no farther from the one before than looks well; one body that goes another way than the
+    farthest, as a carriage on which that one slides, in its own sense.
+    """
+    ways = {n: (p.spots[n][0] - x, p.spots[n][1] - y) for n, (x, y) in before.spots.items() if n in p.spots}
+    farthest = max(ways.values(), key=lambda way: math.hypot(*way))
+    back = 1 - min(ASIDE * most / math.hypot(*farthest), 1)
+    own = dict(before.own)
+    for name, (x, y) in ways.items():
+        behind = farthest[0] - x, farthest[1] - y
+        seen = x - farthest[0] * back, y - farthest[1] * back
+        if math.hypot(*behind) > ASIDE * most and x * seen[0] + y * seen[1] <= 0:
+            own[name] = moved_by(before.own.get(name, NOWHERE), (behind[0] * back, behind[1] * back))
+    x, y = before.shift
+    return replace(p, shift=(x - farthest[0] * back, y - farthest[1] * back), own=own)
 
 
 def slid_to(places: Sequence[Later], entry: Entry, sketch: Sketch) -> list[Spot]:

@@ -27,13 +27,15 @@ def settled(marks: Sequence[Mark]) -> Iterator[Mark]:
     areas = [m.places for m in marks if isinstance(m, Polyline) and m.closed and m.style == "body"]
     bars = [m.places for m in marks if isinstance(m, Polyline) and not m.closed and m.style == "body"]
     raised = {(s.start, s.end): _raised(s, blocks) for s in every}
+    lanes = {(s.start, s.end): _lane(s, struts, bars) for s in struts}
     for mark in marks:
         if isinstance(mark, Strut):
-            aside = raised[mark.start, mark.end]
-            # A later one is beside it on the side where the block is.
-            lane = math.copysign(mark.lane, aside) if mark.later else _lane(mark, struts, bars)
-            yield _up_to(replace(mark, aside=aside, lane=lane), blocks, areas)
-        elif isinstance(mark, Symbol) and mark.kind in ("wall", "plate"):
+            lane = 0.0 if mark.later else _lane(mark, struts, bars)
+            yield _up_to(replace(mark, aside=raised[mark.start, mark.end], lane=lane), blocks, areas)
+        elif isinstance(mark, Symbol) and mark.kind == "plate":
+            beside = {ends: aside + lanes.get(ends, 0.0) for ends, aside in raised.items()}
+            yield replace(mark, aside=_wall(mark, beside))
+        elif isinstance(mark, Symbol) and mark.kind == "wall":
             yield replace(mark, aside=_wall(mark, raised))
         else:
             yield mark
@@ -60,15 +62,24 @@ def _wall(wall: Symbol, raised: dict[tuple[Spot, Spot], float]) -> float:
 
 
 def _lane(strut: Strut, struts: Sequence[Strut], bars: Sequence[tuple[Spot, ...]]) -> float:
-    """Where it lies among all between the same two places, or beside a bar along the same line."""
+    """Where it lies among all between the same two places or one in another, or beside a bar along the same line."""
     way, length = way_of(strut.start, strut.end), math.dist(strut.start, strut.end)
-    beside = [s for s in struts if {s.start, s.end} == {strut.start, strut.end}]
+    beside = [s for s in struts if s is strut or _lies_on(s, strut)]
     along = any(max(off(strut.start, way, p) for p in bar) < NEAR * length and _overlap(strut, bar) for bar in bars)
     if len(beside) == 1:
         return LANE * 0.7 if along else 0.0
     place = next(i for i, s in enumerate(beside) if s is strut)
     lane = LANE * (place - (len(beside) - 1) / 2)
-    return lane if strut.start == beside[0].start else -lane
+    return lane if math.cos(way - way_of(beside[0].start, beside[0].end)) > 0 else -lane
+
+
+def _lies_on(one: Strut, other: Strut) -> bool:
+    """Would one lie on the other from a common end on, as springs that are set in each other do?"""
+    ends, others = (one.start, one.end), (other.start, other.end)
+    way, length = way_of(*ends), math.dist(*ends)
+    in_line = all(off(one.start, way, spot) < NEAR * length for spot in others)
+    meet = any(math.dist(a, b) < NEAR * length for a in ends for b in others)
+    return meet and in_line and _overlap(one, others)
 
 
 def _overlap(strut: Strut, bar: Sequence[Spot]) -> bool:
