@@ -55,7 +55,15 @@ class Pulling:
         if off[own] > ALIKE:
             return mark
         self.left.remove(own)
-        return replace(mark, at=moved(own.center, 0.0, *own.off), inward=False)
+        return replace(mark, at=_leaves(own, mark.angle), inward=False)
+
+
+def _leaves(strand: Strand, angle: float) -> Spot:
+    """Where a pull is drawn: it touches a small wheel, although its strand has another direction."""
+    if not strand.small or not strand.radius:
+        return moved(strand.center, 0.0, *strand.off)
+    aside = strand.off[1] * math.cos(angle) - strand.off[0] * math.sin(angle)
+    return moved(strand.center, angle, 0.0, math.copysign(strand.radius, aside))
 
 
 def _is_at(strand: Strand, at: Spot) -> bool:
