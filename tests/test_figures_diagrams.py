@@ -244,3 +244,9 @@ def test_a_rope_pulls_where_its_strand_leaves_the_rim() -> None:
         pulls = [m for m in free.marks if isinstance(m, Arrow) and plain(m.words[0]).startswith("T")]
         assert sorted(m.at[0] - rim.center[0] for m in pulls) == pytest.approx([-rim.radius, rim.radius])
         assert [m for m in kinetic.marks if isinstance(m, Arc)] == [rim]
+
+
+def test_what_has_a_shorter_name_on_the_page_is_told_against_its_arrow() -> None:
+    """The force of the rod is asked for in one case alone, and has one name in both."""
+    smooth, rough = notes("collar-drawn-up-from-its-rod-by-a-spring")
+    assert smooth == "found: N downward" and rough == "found: N downward, N*mu to the left"

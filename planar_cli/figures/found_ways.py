@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections import ChainMap
+from collections import ChainMap, Counter
 from collections.abc import Collection, Iterator, Sequence
 from decimal import Decimal
 
@@ -18,6 +18,7 @@ from planar_cli.figures.written_out import formulas_of, sign_of, states_against,
 from planar_cli.problem.expression import Quantity
 from planar_cli.report.blocks import Forces, Inline, Line, Math, line
 from planar_cli.report.marks import Arrow, Panel, Turn
+from planar_cli.report.names import plain_name
 from planar_cli.report.numbers import rotation_words
 from planar_cli.solve.between.trace import ImpactEquation, MotionTrace, RouteStep
 from planar_cli.solve.instant.worked import unknowns_of
@@ -108,7 +109,7 @@ def _opposite(mark: Arrow | Turn) -> str:
 def _is_against(words: Line, row: Forces, solution: Solution) -> bool:
     """Does a vector come out against the direction in which its letters count, whenever its diagram holds?"""
     size = _size(words)
-    found = [n for part in solution.parts for n in _numbers(size, row, part)] if size.free_symbols else []
+    found = [n for part in solution.parts for n in _numbers(size, row, part, solution)] if size.free_symbols else []
     return bool(found) and all(n is not None and n < 0 for n in found)
 
 
@@ -122,7 +123,7 @@ def _in_numbers(told: Math) -> Expr:
     return told.expr.xreplace({s: Rational(t) for s, t in texts.items()})
 
 
-def _numbers(size: Expr, row: Forces, part: PartSolution) -> Iterator[Decimal | None]:
+def _numbers(size: Expr, row: Forces, part: PartSolution, solution: Solution) -> Iterator[Decimal | None]:
     """What was found for it where the scene is that of the diagram, or its sign where numbers were drawn for letters;
     None: it changes in a motion, or nothing tells.
     """
@@ -137,6 +138,7 @@ def _numbers(size: Expr, row: Forces, part: PartSolution) -> Iterator[Decimal | 
     formulas = _answers(part)
     for i in part.instants:
         if i.instant.scene is row.scene:
+            size = size.xreplace(_by_other_names(size, i, solution))
             whole = written_out(size, ChainMap(formulas, dict(formulas_of(i))))
             number = i.value.known(size) or i.value.known(whole)
             yield number if _letters(size, i).isdisjoint(i.value.drawn) else sign_of(whole, i.value)
@@ -145,6 +147,19 @@ def _numbers(size: Expr, row: Forces, part: PartSolution) -> Iterator[Decimal | 
 def _answers(part: PartSolution) -> dict[Symbol, Expr]:
     """The letters that are asked, by their formulas."""
     return {f.asked[0]: f.expressions[0] for f in part.found if len(f.asked) == 1 and f.expressions}
+
+
+def _by_other_names(size: Expr, i: InstantSolution, solution: Solution) -> dict[Symbol, Symbol]:
+    """The letters of an instant, where the page has shorter ones: those for which answers are asked, or of which an
+    instant has no other one, N for N_rod.
+    """
+    asked = {plain_name(f.name): f.asked[0] for p in solution.parts for f in p.found if len(f.asked) == 1}
+    own = {*formulas_of(i), *i.trial.system.symbols.values()}
+    stems = Counter(s.name.partition("_")[0] for s in own)
+    alone = {stem: s for s in own if stems[stem := s.name.partition("_")[0]] == 1}
+    others = [s for s in size.free_symbols - own if i.value.known(s) is None]
+    told = {s: asked.get(plain_name(s.name), alone.get(s.name)) for s in others}
+    return {s: letter for s, letter in told.items() if letter in own}
 
 
 def _letters(size: Expr, instant: InstantSolution) -> set[Symbol]:
