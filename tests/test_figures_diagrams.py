@@ -248,5 +248,5 @@ def test_a_rope_pulls_where_its_strand_leaves_the_rim() -> None:
 
 def test_what_has_a_shorter_name_on_the_page_is_told_against_its_arrow() -> None:
     """The force of the rod is asked for in one case alone, and has one name in both."""
-    smooth, rough = notes("collar-drawn-up-from-its-rod-by-a-spring")
-    assert smooth == "found: N downward" and rough == "found: N downward, N*mu to the left"
+    told = notes("collar-drawn-up-from-its-rod-by-a-spring")
+    assert told == ["found: N downward", "found: N downward, N*mu to the left"]
