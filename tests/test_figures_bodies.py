@@ -278,7 +278,7 @@ def test_the_ground_is_not_where_a_surface_presses_a_particle() -> None:
 
 def test_a_curve_is_drawn_from_where_its_formula_begins() -> None:
     marks = drawings("textbook/ex-1-13")["scene"].panels[0].marks
-    (track,) = (m.places for m in marks if isinstance(m, Hatched))
+    (track,) = (m.places for m in marks if isinstance(m, Polyline) and m.style == "lane")
     assert min(x for x, _ in track) < 0
     assert max(x for x, _ in track) > 2
 

@@ -40,7 +40,7 @@ from planar_cli.figures.ropes import bends
 from planar_cli.figures.shapes import body_marks
 from planar_cli.figures.side_by_side import BOX, POINT, guided, side_by_side
 from planar_cli.figures.springs import settled
-from planar_cli.figures.state_measures import state_measures
+from planar_cli.figures.state_measures import lengths_of_ways, state_measures
 from planar_cli.figures.surfaces import surface_marks
 from planar_cli.figures.unguided import is_idle, led_blocks
 from planar_cli.figures.within import within
@@ -102,6 +102,7 @@ def arrangement(part: PartSolution, whole: Mapping[str, tuple[Spot, ...]]) -> Pa
     places = brought_near(places, size)
     marks = tuple(_marks(drawn, moving, whole_time, places[1:]))
     later = (*position_marks(places, motion, part.run, marks), *asked_places(places, problem))
+    later = (*later, *lengths_of_ways(places, problem, later))
     return _panel((*marks, *on_orbits(later, part), *state_measures(places, problem)))
 
 

@@ -9,7 +9,7 @@ from planar_cli.equation.bodies import BodyModel
 from planar_cli.figures.axes_of_turning import is_axis
 from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.outlines import level, lying
-from planar_cli.figures.partners import between, sketch_of
+from planar_cli.figures.partners import between, is_lane, sketch_of
 from planar_cli.figures.rings import extent_of, turned_by
 from planar_cli.figures.shapes import body_marks, moved
 from planar_cli.figures.within import slot_within
@@ -37,6 +37,9 @@ def slide_marks(drawn: Drawn, slide: Slide, later: Sequence[Spot] = ()) -> Itera
     body = drawn.body(slide.body) if slide.body is not None else None
     if body is not None and is_axis(drawn.scene.problem, body.name):
         return
+    if is_lane(drawn.scene.problem, slide.track):
+        yield from _in_lane(drawn, slide, at, along)
+        return
     if body is not None and body.name in lying(drawn):
         if slide.grounded and not slide.drawn and _lean(lying(drawn)[body.name], along) is not None:
             yield Symbol("guides", at, _away(lying(drawn)[body.name], along))
@@ -55,6 +58,13 @@ def slide_marks(drawn: Drawn, slide: Slide, later: Sequence[Spot] = ()) -> Itera
         yield Symbol("block", at, level(along))
     if slide.grounded and not slide.drawn:
         yield from _floor(drawn, shape or [at], along, later, [*_touched(drawn, body.name)])
+
+
+def _in_lane(drawn: Drawn, slide: Slide, at: Spot, along: float) -> Iterator[Mark]:
+    """What runs along a lane, in it: a pin where a slot leads it too."""
+    others = (s for s in _sketches(drawn) if isinstance(s, Slide) and s.track != slide.track)
+    if not any(_is_at(drawn.spot(s.at), at) for s in others):
+        yield Symbol("slider", at, along)
 
 
 def _slot(drawn: Drawn, slide: Slide, at: Spot, along: float, later: Sequence[Spot]) -> Iterator[Mark]:

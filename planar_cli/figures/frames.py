@@ -16,7 +16,7 @@ from planar_cli.figures.joints_drawn import sketch_marks
 from planar_cli.figures.outlines import edges, lying
 from planar_cli.figures.over_time import reached
 from planar_cli.figures.parallel import moving_beside, parallel
-from planar_cli.figures.partners import is_slot, partners, sketch_of, sliders, touching
+from planar_cli.figures.partners import is_lane, is_slot, partners, sketch_of, sliders, touching
 from planar_cli.figures.posed import Posed, variables_of
 from planar_cli.figures.rings import extent_of, side_of, way_of
 from planar_cli.figures.shapes import body_marks, moved
@@ -179,6 +179,8 @@ class _Stage:
             return []
         if surface.body is not None:
             return [Polyline(tuple(places), "body")]
+        if is_lane(self.problem, surface.name):
+            return [Polyline(tuple(places), "lane")]
         above = side_of(places, bodies) >= 0
         return [Hatched(tuple(places if above else places[::-1]))]
 

@@ -26,7 +26,9 @@ WIDE = 46.0
 def landing_marks(where: Mapping[str, Later], problem: Problem) -> Iterator[Mark]:
     """`where`: the positions that are drawn to scale, by their states."""
     flies = all(isinstance(b.shape, Particle) for b in problem.bodies)
-    if problem.plane != "vertical" or problem.surfaces or problem.joints or not flies:
+    ends = [*where][-1] if where else ""
+    left = bool(problem.joints) and all(j.during is not None and j.during[1] != ends for j in problem.joints)
+    if problem.plane != "vertical" or not flies or ((problem.surfaces or problem.joints) and not left):
         return
     spots = [s for p in where.values() for s in p.spots.values()]
     for state in problem.states:

@@ -14,12 +14,14 @@ import sympy as sp
 from planar_cli.figures.arms import arm, turned_arm
 from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.motions_in_states import moving_in
+from planar_cli.figures.partners import is_slot, touching
 from planar_cli.figures.point_paths import way_of_point
 from planar_cli.figures.rings import extent_of
 from planar_cli.figures.shapes import moved
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
+from planar_cli.problem.scene import Line as Straight
 from planar_cli.records import record
 from planar_cli.report.blocks import Line, Name, line
 from planar_cli.report.marks import Arrow, Figure, Mark, Panel, Polyline, Span, Spot, Style, Symbol, Tag
@@ -96,10 +98,20 @@ def _asked(part: PartSolution, letters: frozenset[str]) -> Iterator[Asked]:
         poles = {q.things[1] for _, q in told if len(q.things) > 1}
         rates = _rates(point, letters)
         system = _system(kinds, letters) or ("plain" if rates else None)
+        if system is None and any(q.word == "a" for _, q in told) and _is_led_round(part, point):
+            # Its size is found from the part along the curve and the one across it.
+            system = "path"
         if system is not None and len(poles) <= 1:
             names = {(q.word, _part(q)): f.name for f, q in reversed(told) if _part(q) in ("", *AXES[system])}
             names |= {part: name for part, name in rates.items() if system == "plain" and part not in names}
             yield Asked(point, next(iter(poles), ""), state, system, names)
+
+
+def _is_led_round(part: PartSolution, point: str) -> bool:
+    """Does a fixed curve lead a point?"""
+    problem = part.motion.problem if part.motion is not None else part.instants[0].instant.scene.problem
+    curves = [s for s in problem.surfaces if s.body is None and not isinstance(s.shape, Straight)]
+    return any(is_slot(s, problem.joints) and point in touching(problem, s) for s in curves)
 
 
 def _rates(point: str, letters: frozenset[str]) -> dict[tuple[str, str], str]:

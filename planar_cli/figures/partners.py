@@ -55,6 +55,16 @@ def is_slot(surface: Surface, joints: Sequence[Joint]) -> bool:
     return any(surface.name in between(j) and getattr(j, "point", "") and not getattr(j, "body", None) for j in joints)
 
 
+def is_lane(problem: Problem, name: str) -> bool:
+    """Is a fixed surface a road, a rail or a groove that is seen from above? Only points run along it, and nothing in
+    the file falls.
+    """
+    own = [j for j in problem.joints if name in between(j)]
+    guided = all(j.guides and getattr(j, "point", None) and not getattr(j, "body", None) for j in own)
+    fixed = any(s.name == name and s.body is None for s in problem.surfaces)
+    return problem.plane != "vertical" and fixed and bool(own) and guided
+
+
 def between(joint: Joint) -> tuple[str, ...]:
     """What a joint is between, by name."""
     along = getattr(joint, "along", None)

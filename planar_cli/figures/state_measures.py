@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import pairwise, starmap
 
 from planar_cli.figures.drawn import size_of
 from planar_cli.figures.landings import coordinate, landing_marks, spot_of
@@ -15,9 +16,10 @@ from planar_cli.problem.scene import State as Written
 from planar_cli.problem.walk import walk
 from planar_cli.report.blocks import Line as Words
 from planar_cli.report.blocks import Name, line
-from planar_cli.report.marks import Dimension, Mark, Spot
+from planar_cli.report.marks import Dimension, Mark, Polyline, Spot, Tag
 
-NEAR = 1e-6
+NEAR, BENT = 1e-6, 1.001
+"""A way that is longer than this, in parts of the straight one, is bent."""
 
 
 def state_measures(places: Sequence[Later], problem: Problem) -> Iterator[Mark]:
@@ -33,6 +35,28 @@ def state_measures(places: Sequence[Later], problem: Problem) -> Iterator[Mark]:
             told.add(repr(mark.words))
             yield mark
     yield from landing_marks(where, problem)
+
+
+def lengths_of_ways(places: Sequence[Later], problem: Problem, ways: Iterable[Mark]) -> Iterator[Mark]:
+    """The lengths of ways that the file gives or asks: beside the middle of a way that is bent. `ways`: as drawn."""
+    where = {state: p for p in places for state in p.states if not any(p.shift)}
+    given = [r for s in problem.states for r in s.relations if isinstance(r, Relation) and r.operator == "="]
+    told = [(r.left, size_of(r.right, 1.0)) for r in given] + [(f.found.what, line(Name(f.name))) for f in problem.find]
+    drawn = [m.places for m in ways if isinstance(m, Polyline) and m.style == "way"]
+    for what, words in told:
+        if not isinstance(what, Quantity) or what.word != "path_length" or not isinstance(what.at, tuple):
+            continue
+        ends = [spot_of(where[s], what.things[0]) for s in what.at if s in where]
+        own = next((w for w in drawn if len(w) > 2 and _joins(w, ends)), None)
+        if own is not None and sum(starmap(math.dist, pairwise(own))) > BENT * math.dist(own[0], own[-1]):
+            yield Tag(own[len(own) // 2], words)
+
+
+def _joins(way: Sequence[Spot], ends: Sequence[Spot | None]) -> bool:
+    """Does a way go from one place to another?"""
+    near = NEAR * math.dist(way[0], way[len(way) // 2])
+    pairs = zip((way[0], way[-1]), ends, strict=False)
+    return len(ends) > 1 and all(e is not None and math.dist(s, e) <= near for s, e in pairs)
 
 
 def _lengths(where: dict[str, Later], problem: Problem) -> Iterator[tuple[int, Spot, Spot, Words]]:

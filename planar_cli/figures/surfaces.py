@@ -10,6 +10,7 @@ import sympy as sp
 from planar_cli.equation.curves import carrier_pose, curve_place
 from planar_cli.errors import PlanarError
 from planar_cli.figures.drawn import Drawn
+from planar_cli.figures.partners import between, is_lane
 from planar_cli.figures.rings import side_of
 from planar_cli.figures.shapes import moved
 from planar_cli.problem.geometry import Vec
@@ -54,6 +55,9 @@ def surface_marks(
         return
     if surface.body is not None:
         yield Polyline(tuple(places), "body")
+        return
+    if is_lane(drawn.scene.problem, surface.name):
+        yield Polyline(tuple(places), "lane")
         return
     free = side_of(places, bodies)
     if abs(free) < NEAR * size:
@@ -132,11 +136,19 @@ def _circle(
         near += [s for s in spots if abs(math.dist(s, center) - radius) < radius * NEAR]
     angles = [math.atan2(p[1] - center[1], p[0] - center[0]) for p in near]
     middle = math.atan2(sum(map(math.sin, angles)), sum(map(math.cos, angles))) if angles else math.pi / 2
-    off = max((abs(math.remainder(a - middle, 2 * math.pi)) for a in angles), default=0.0)
-    reach = off + REACH
-    if reach > ROUND:
-        reach = math.pi
-    return [moved(center, middle + reach * (2 * i / STEPS - 1), radius) for i in range(STEPS + 1)]
+    seen = [math.remainder(a - middle, 2 * math.pi) for a in angles] or [0.0]
+    low, high = min(seen), max(seen)
+    if high - low < NEAR or not _is_left(drawn, surface):
+        high = max(-low, high) + REACH
+        high = math.pi if high > ROUND else high
+        low = -high
+    return [moved(center, middle + low + (high - low) * i / STEPS, radius) for i in range(STEPS + 1)]
+
+
+def _is_left(drawn: Drawn, surface: Surface) -> bool:
+    """Does a track hold what runs along it only from one state to another, as far as which it goes?"""
+    own = [j for j in drawn.scene.problem.joints if surface.name in between(j)]
+    return bool(own) and all(j.guides and j.during is not None for j in own)
 
 
 def _touches(rim: Arc, center: Spot, radius: float) -> bool:

@@ -48,7 +48,7 @@ STRENGTH = 10.0
 """So far from the middle line of a spring its letter stands."""
 LEFT = 10.0
 """So much is left of a dimension line on either side of its words."""
-BELOW = (LATER, WAY, EXTENSION)
+BELOW, LANES = (LATER, WAY, EXTENSION), ("lane", "lane core")
 ARROW = 46.0
 """The length of an arrow."""
 
@@ -77,8 +77,9 @@ def on_paper(panel: Panel, scale: Scale) -> Paper:
     whole = box_of(spot for p in pieces if isinstance(p, Stroke | Disc) for spot in along(p, 8.0))
     if whole is not None:
         pieces += [p for mark in axes for p in _axes(mark, (whole.left - APART, whole.bottom))]
-    # What is somewhere only later lies below all that is there.
-    strokes = sorted((p for p in pieces if isinstance(p, Stroke | Disc)), key=lambda s: s.kind not in BELOW)
+    # What is somewhere only later lies below all that is there, and on the lane along which it moves.
+    drawn = (p for p in pieces if isinstance(p, Stroke | Disc))
+    strokes = sorted(drawn, key=lambda s: (s.kind not in LANES, s.kind not in BELOW))
     return Paper(tuple(strokes), tuple(p for p in pieces if isinstance(p, Words) and p.runs))
 
 
@@ -107,9 +108,10 @@ def _drawn(mark: Any, scale: Scale) -> Iterator[Piece]:
 
 @_drawn.register
 def _polyline(mark: Polyline, scale: Scale) -> Iterator[Piece]:
-    if mark.style == "slim":
+    if mark.style in ("slim", "lane"):
         # Light within, so that an arrow along it is seen.
-        yield from (Stroke(tuple(map(scale.spot, mark.places)), kind) for kind in ("slim", "slim core"))
+        kinds = (mark.style, f"{mark.style} core")
+        yield from (Stroke(tuple(map(scale.spot, mark.places)), kind) for kind in kinds)
         return
     filled = mark.closed and mark.style != LATER
     kind = f"{mark.style} area" if filled else f"{mark.style} bar" if mark.style == "body" else mark.style

@@ -61,7 +61,7 @@ DARK = {
 }
 RULES = """
 .stroke{fill:none;stroke:var(--ink);stroke-width:1.2;stroke-linejoin:round;stroke-linecap:round}
-.area{fill:var(--body);fill-opacity:.75}.bar{stroke-width:4.5}.slim{stroke-width:8.5}.core{stroke:var(--body);stroke-width:6.5}.thin{stroke-width:.9;fill:none}
+.area{fill:var(--body);fill-opacity:.75}.bar{stroke-width:4.5}.slim{stroke-width:8.5}.core{stroke:var(--body);stroke-width:6.5}.lane{stroke:var(--faint);stroke-width:21;stroke-linecap:butt}.lane.core{stroke:var(--paper);stroke-width:19}.thin{stroke-width:.9;fill:none}
 .hidden,.dashed{stroke-dasharray:4 3}.ground{stroke-width:1.6}.hatch{stroke:var(--faint);stroke-width:.8}
 .leader{stroke:var(--faint);stroke-width:.6}.rope{stroke-width:1.6}
 .chain{stroke-dasharray:12 3 2 3;stroke-width:1}

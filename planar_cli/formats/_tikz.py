@@ -98,7 +98,7 @@ def _options(kind: str) -> str:
     found = []
     if (colour := _colour(look.get("stroke", "none"))) != "none":
         found += [f"draw={colour}", f"line width={px(float(look.get('stroke-width', '1')) * POINT)}pt"]
-        found += ["line join=round", "line cap=round"]
+        found += ["line join=round", f"line cap={look['stroke-linecap']}"]
         if "stroke-dasharray" in look:
             parts = [f"{px(float(n) * POINT)}pt" for n in look["stroke-dasharray"].split()]
             found.append("dash pattern=" + " ".join(f"{('on', 'off')[i % 2]} {p}" for i, p in enumerate(parts)))

@@ -100,7 +100,7 @@ class Guide(Joint):
         drawn = joining.base == GROUND and scene.names_carrier(self._track())
         carrier = None if joining.base == GROUND else joining.base
         grounded, pinned = joining.base == GROUND, joining.mover == GROUND
-        return (Slide(joining.point, along, grounded, whole, drawn, carrier, pinned),)
+        return (Slide(joining.point, along, grounded, whole, drawn, carrier, pinned, self._track()),)
 
     def modes(self, scene: Setting) -> tuple[Mode, ...]:
         joining, normal = self._joining(scene)

@@ -28,6 +28,7 @@ class Slide:
     """A slider at a place on a straight track along a direction. `grounded`: the track is fixed. `body`: the whole body
     that slides, unable to turn, or the particle. `drawn`: its track is a surface of the file. `carrier`: the body in
     which the track is. `pinned`: the place itself is fixed, and the body with the track slides and turns over it.
+    `track`: the name of the surface or body along which it is.
     """
 
     at: Vec
@@ -37,6 +38,7 @@ class Slide:
     drawn: bool = False
     carrier: str | None = None
     pinned: bool = False
+    track: str = ""
 
 
 @record

@@ -31,8 +31,9 @@ Style = Literal[
     "acceleration",
     "axis",
     "chain",
+    "lane",
 ]
-"""What a line stands for; each has its own look."""
+"""What a line stands for; each has its own look. A lane is a way between two edges, seen from above."""
 SymbolKind = Literal[
     "pin",
     "support",
