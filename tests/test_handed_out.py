@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import re
-import shutil
-import subprocess
 from pathlib import Path
 
 import pytest
 from conftest import PROBLEMS, ROOT
 from exported import HOSTILE, PAPERS, TITLE
+from pdf_text import texts_of_pages
 from test_latex import demand_whole
 from worked import name_of, worked
 
@@ -174,10 +173,7 @@ def text_of(path: Path) -> str:
     """The text of a file, of a PDF as a reader of PDF takes it out."""
     if path.suffix != ".pdf":
         return path.read_text()
-    found = shutil.which("pdftotext")
-    if found is None:
-        pytest.skip("no pdftotext is installed (Debian's package poppler-utils)")
-    told = subprocess.run([found, str(path), "-"], capture_output=True, text=True, check=True).stdout
+    told = "\n".join(texts_of_pages(path))
     assert "slope" in told
     return told
 

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import shutil
-import subprocess
 from pathlib import Path
 
 import pytest
+from pdf_text import texts_of_pages
 
 from planar_cli.formats._svg import PRINT
 from planar_cli.formats.html import Html
@@ -29,13 +28,9 @@ END = (doc.Answer("x", doc.line("1 m found")), doc.Check(doc.line("checked by ha
 
 
 def pages(blocks: tuple[doc.Block, ...], folder: Path) -> list[str]:
-    found = shutil.which("pdftotext")
-    if found is None:
-        pytest.skip("no pdftotext is installed (Debian's package poppler-utils)")
     path = folder / "page.pdf"
     path.write_bytes(pdf(Html().render(doc.Document("Title", blocks)), PRINT))
-    told = subprocess.run([found, str(path), "-"], capture_output=True, text=True, check=True).stdout
-    return told.split("\f")
+    return texts_of_pages(path)
 
 
 def together(words: tuple[str, ...], made: list[str]) -> bool:
