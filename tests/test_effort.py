@@ -2,7 +2,36 @@
 
 from __future__ import annotations
 
-from worked import page_of_file
+from pathlib import Path
+
+import pytest
+import sympy as sp
+from worked import page_of_file, page_of_text
+
+from planar_cli.solve.between.cheapest import cheapest
+from planar_cli.solve.regimes.equations import Equation
+
+BLOCKS_AND_DRUM = """
+title: Block, drum and block with a spring
+plane: vertical
+given:
+  {m_A: 15 kg, m_B: 20 kg, m_C: 30 kg, mu: 0.2, k: 20 N/m, s: 0.3 m, v_1: 2.5 m/s, h: 1 m, R: 0.3 m}
+points:
+  {B: [0, 0], U: [0, R], A: [R, -0.5 m], V: [R, 0], C: [-2 m, R], W: [-3.2 m, R]}
+surfaces: {floor: {through: C, angle: 0 deg}}
+bodies: {A: {particle: A, mass: m_A}, drum: {disk: B, radius: R, mass: m_B}, C: {particle: C, mass: m_C}}
+joints:
+  - pin: {at: B, between: [ground, drum]}
+  - contact: {between: [C, floor], at: C, mu_k: mu, name: floorC}
+  - rope: {path: [C, U on drum], name: upper}
+  - rope: {path: [A, V on drum], name: lower}
+loads:
+  - spring: {between: [W, C], stiffness: k, natural_length: 1.2 m + s, name: spring}
+states:
+  1: [v(A).y = -v_1]
+  2: [y(A) @ 1 - y(A) = h]
+find: {v_2: v(A).mag @ 2FIND}
+"""
 
 
 def test_speed_and_way_of_several_bodies_follow_from_one_balance_of_energies() -> None:
@@ -59,3 +88,38 @@ def test_the_work_by_a_height_that_was_sought_has_its_number() -> None:
     page = page_of_file("ladder-leaving-the-wall")
     assert "y_G,2 = 1/2 l sin θ_2 U of the weight" in page
     assert "U of the weight of ladder = 1/2 m g l sin θ_2 = 1/2 · 15 · 9.81 · 4 sin 141.2° = 184.4 J" in page
+
+
+@pytest.mark.parametrize("find", ["", ", Q: heat(floorC) @ 1->2"], ids=["speed", "speed and heat"])
+def test_places_that_follow_from_one_angle_count_once(tmp_path: Path, find: str) -> None:
+    """Energies take the places of both blocks and the angle of the drum, which one line tells all."""
+    page = page_of_text(tmp_path, BLOCKS_AND_DRUM.replace("FIND", find))
+    assert "From 1 to 2, work and kinetic energy" in page
+    assert "ω dω = α dθ" not in page
+    assert "v_2 = 3.052 m/s" in page
+
+
+def test_a_way_costs_each_of_its_equations_once() -> None:
+    a, b, c, x = sp.symbols("a b c x")
+    by_three, by_one = Equation(x - a - b - c, "energy", "", ""), Equation(x - a, "v(q)", "", "")
+    first, second, third = (Equation(s, "link", "", "") for s in (a, b - a, c - b))
+    none = frozenset[sp.Symbol]()
+    edges = [
+        ((first,), (a,), none, 2.0),
+        ((second,), (b,), frozenset({a}), 0.5),
+        ((third,), (c,), frozenset({b}), 0.5),
+        ((by_three,), (x,), frozenset({a, b, c}), 1.0),
+        ((by_one,), (x,), frozenset({a}), 3.0),
+    ]
+    assert cheapest(edges)[x].equations == (by_three,)
+    assert cheapest(edges)[x].cost == 4.0
+
+
+def test_an_acceleration_that_a_force_needs_serves_for_its_stretch() -> None:
+    page = page_of_file("load-wound-up-against-axle-friction")
+    assert "From 2 to 3, constant angular acceleration of the wheel" in page
+    assert "(12) ω_3² = -2 α_2 θ_2" in page
+    # A given force needs none.
+    assert "From 1 to mid, work and kinetic energy" in page_of_file("crate-winched-up-a-slope"), (
+        "a given force needs none"
+    )

@@ -12,6 +12,7 @@ from planar_cli.equation.exact import Unvalued
 from planar_cli.equation.sample import other_draws, seeded
 from planar_cli.errors import NoSolution, Undecided, undecided_at
 from planar_cli.problem.scene import Problem
+from planar_cli.solve.between.accelerations_asked import accelerated
 from planar_cli.solve.between.agreement import compared, integrated
 from planar_cli.solve.between.answers import AnsweredFind, Answering, closed_formula
 from planar_cli.solve.between.asked_finds import AskedFind, asked_letters
@@ -206,11 +207,13 @@ def _route_with(found: SolvedMotion, parts: PartEquations) -> tuple[Router, Rout
     follows = method is None or method in course.between.integrating
     by_steps = followed if follows else None
     natural = course.natural(unknowns)
-    router = Router(allowed, unknowns, value, course.symbolic, steps, by_steps, natural)
+    # A tension that the work on a part tells needs no acceleration.
+    kinetics = frozenset[str]() if parts.numbers else accelerated(course, found.finds)
+    router = Router(allowed, unknowns, value, course.symbolic, steps, by_steps, natural, kinetics)
     asked = [*in_order(course, found.finds, asked_letters(found.finds) & unknowns), *parts.numbers]
     route = router.route(wanted := with_constants(asked, router.plain, unknowns))
     if method is not None:
-        free = Router(equations, unknowns, value, course.symbolic, found.branch.steps, followed, natural)
+        free = Router(equations, unknowns, value, course.symbolic, found.branch.steps, followed, natural, kinetics)
         if missing := not_reached_by(follows, route, wanted, lambda: free.route(wanted)):
             raise by_method_alone(course, missing, allowed)
     return router, route

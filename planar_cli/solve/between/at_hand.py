@@ -29,12 +29,13 @@ def at_hand(
     targets: Collection[sp.Symbol],
     plain: Mapping[sp.Symbol, sp.Expr],
     value: Valuation,
+    kinetics: Collection[str] = (),
 ) -> list[Edge] | None:
     """The same edges; what a law says that the derivations of the targets rest on costs no equation of kinetics again.
-    None: they rest on no such law. `plain`: data that are put in at once;
-    `value`: numbers of everything.
+    So too a law up to one of the states `kinetics`, before which finds need an acceleration. None: they rest on no
+    such law. `plain`: data that are put in at once; `value`: numbers of everything.
     """
-    laws = _used(best, targets)
+    laws = _used(best, targets) | _asked(edges, kinetics)
     if not laws:
         return None
     found: list[Edge] = []
@@ -65,6 +66,16 @@ def _used(best: Mapping[sp.Symbol, Derivation], targets: Collection[sp.Symbol]) 
         waiting += own.needs
     thrown = {thing for law, (thing, _) in found.items() if law[1] != 0 and thing}
     return {law for law, (thing, told) in found.items() if law[1] != 0 or (told and thing in thrown)}
+
+
+def _asked(edges: Sequence[Edge], kinetics: Collection[str]) -> set[Known]:
+    """The laws of constant acceleration up to these states."""
+    found = {_law(e) for equations, _, _, _ in edges for e in equations if e.stop in kinetics and _steady(e)}
+    return {law for law in found if law is not None and law[1] != 0}
+
+
+def _steady(e: Equation) -> bool:
+    return e.law is not None and e.law.steady and e.law.order == 2
 
 
 def _law(e: Equation) -> Known | None:

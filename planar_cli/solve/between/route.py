@@ -1,16 +1,13 @@
 """The cheapest way through the equations of a motion to what is asked, and that way worked out in symbols.
 
-An unknown follows from one equation in which all others are known, or from two or three equations together. The cost of
-an unknown is that of its equations and of all that they need; the cheapest derivation of every unknown is found in
-order of cost (Knuth's generalisation of Dijkstra's algorithm). All values are known beforehand, so that only equations
+An unknown follows from one equation in which all others are known, or from two or three equations together; the
+cheapest derivation of every unknown is taken. All values are known beforehand, so that only equations
 count that really fix their unknown there, and of several roots the one that happens is taken.
 """
 
 from __future__ import annotations
 
-import heapq
 import itertools
-import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from decimal import Decimal
@@ -26,6 +23,7 @@ from planar_cli.solve.between.by_given import beginnings, by_given, by_its_name,
 from planar_cli.solve.between.by_numbers import ByNumbers
 from planar_cli.solve.between.by_targets import by_targets
 from planar_cli.solve.between.chain import Step
+from planar_cli.solve.between.cheapest import cheapest
 from planar_cli.solve.between.closed import closed_roots
 from planar_cli.solve.between.derivation import Derivation, DerivedStep, Edge, Route, at_right_angles, each_once, levels
 from planar_cli.solve.between.extremes import with_aims
@@ -53,7 +51,7 @@ TOGETHER = 0.8
 class Router:
     """Plans over the equations of one motion. `value`: numbers of everything; `unknowns`: letters of states and sought
     constants; `blocks`: those in which numbers were found; `followed`: what only a step method tells; `natural`: an
-    ordinary size of each unknown.
+    ordinary size of each unknown; `kinetics`: states up to which an acceleration is asked or needed.
     """
 
     def __init__(
@@ -65,9 +63,10 @@ class Router:
         blocks: Sequence[Step] = (),
         followed: ByNumbers | None = None,
         natural: Mapping[sp.Symbol, Decimal] | None = None,
+        kinetics: frozenset[str] = frozenset(),
     ) -> None:
         self.unknowns, self.value, self.symbolic, self.blocks = unknowns, value, symbolic, blocks
-        self.followed, self.natural = followed, natural or {}
+        self.followed, self.natural, self.kinetics = followed, natural or {}, kinetics
         self.plain = self._plain(equations)
         self._residuals: dict[sp.Expr, sp.Expr] = {}
         equations = [without_factors(e, value) for e in with_aims(equations)]
@@ -125,21 +124,21 @@ class Router:
     def route(self, targets: Iterable[sp.Symbol]) -> Route:
         """The way to all targets that can be derived."""
         targets = with_constants(targets, self.plain, self.unknowns)
-        best = self._cheapest(edges := self._edges())
+        best = cheapest(edges := self._edges())
         for more in (self._rings, self._large, self._of_integrals):
             if any(t not in best and t not in self.plain for t in targets):
                 edges += more()
-                best = self._cheapest(edges)
+                best = cheapest(edges)
         for target in targets:
             if target not in best and target not in self.plain:
                 whole = self._whole(target, best)
                 if whole is not None:
                     edges.append(whole)
-                    best = self._cheapest(edges)
+                    best = cheapest(edges)
         if self.followed is not None and any(t not in best and t not in self.plain for t in targets):
-            best = {**self._cheapest(self.followed.edges(edges)), **best}
-        if (cheaper := at_hand(best, edges, targets, self.plain, self.value)) is not None:
-            best = {**best, **self._cheapest(edges := cheaper)}
+            best = {**cheapest(self.followed.edges(edges)), **best}
+        if (cheaper := at_hand(best, edges, targets, self.plain, self.value, self.kinetics)) is not None:
+            best = {**best, **cheapest(edges := cheaper)}
         best = by_targets(best, edges, targets, self.plain)
         order: list[Derivation] = []
         # What only numbers tell, and nothing else rests on, comes last.
@@ -168,32 +167,6 @@ class Router:
             self._collect(need, best, order)
         if derivation not in order:
             order.append(derivation)
-
-    def _cheapest(self, edges: list[Edge]) -> dict[sp.Symbol, Derivation]:
-        """The cheapest derivation of every unknown, found in order of cost."""
-        waiting = {i: len(needs) for i, (_, _, needs, _) in enumerate(edges)}
-        users: dict[sp.Symbol, list[int]] = {}
-        for i, (_, _, needs, _) in enumerate(edges):
-            for s in needs:
-                users.setdefault(s, []).append(i)
-        costs: dict[sp.Symbol, float] = {}
-        best: dict[sp.Symbol, Derivation] = {}
-        queue: list[tuple[float, int]] = [(edges[i][3], i) for i, n in waiting.items() if n == 0]
-        heapq.heapify(queue)
-        while queue:
-            cost, i = heapq.heappop(queue)
-            equations, unknowns, needs, _ = edges[i]
-            fresh = [x for x in unknowns if x not in best]
-            if not fresh:
-                continue
-            derivation = Derivation(equations, unknowns, needs, cost)
-            for x in fresh:
-                best[x], costs[x] = derivation, cost
-                for j in users.get(x, ()):
-                    waiting[j] -= 1
-                    if waiting[j] == 0:
-                        heapq.heappush(queue, (edges[j][3] + math.fsum(costs[s] for s in edges[j][2]), j))
-        return best
 
     def _edges(self) -> list[Edge]:
         """Every unknown from one equation, every two from two."""
