@@ -50,3 +50,11 @@ def test_a_speed_that_a_balance_has_told_is_not_worked_out_anew() -> None:
     page = page_of_file("slider-crank-with-a-spring")
     assert "v_B,2 = r_c ω_crank,2 (tan θ_AB,2 cos θ_crank,2 - sin θ_crank,2) = -0.09696 ω_crank,2 in m/s" in page
     assert "At 2: v_B = v_B,2 = -0.09696 (-12.51) = 1.213 m/s" in page
+
+
+def test_a_velocity_that_is_a_sum_has_the_sign_that_it_has_elsewhere() -> None:
+    """Also where it is negative: v_P = v_P/W + v_W in the energies as in the answers."""
+    page = page_of_file("pendulum-on-a-wagon")
+    assert "v_P,2 = v_ball,wagon,2 + v_O,2 T_2 of ball" in page
+    assert "v_ball = v_ball,wagon,2 + v_O,2 = " in page
+    assert "v_P,2 = -v_ball,wagon,2" not in page

@@ -6,7 +6,7 @@ import pytest
 import sympy as sp
 from worked import page_of_file
 
-from planar_cli.report.whole_squares import whole_square
+from planar_cli.report.whole_squares import whole_square, without_sign
 
 V, R, B = sp.symbols("v R b", positive=True)
 
@@ -23,3 +23,9 @@ def test_other_terms_stay(term: sp.Expr) -> None:
 
 def test_it_is_the_same_number() -> None:
     assert whole_square(V**4 / R**2).doit() - V**4 / R**2 == 0
+
+
+def test_a_square_has_no_sign_inside() -> None:
+    assert without_sign(-V - R) == V + R
+    assert without_sign(V - R) == V - R
+    assert without_sign(V) is V

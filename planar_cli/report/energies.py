@@ -225,7 +225,7 @@ class EnergyTelling(WeightTelling):
         square = vx**2 + vy**2
         v = sp.sqrt(square if longer(square, SHORT * 4) else simplified(square))
         # A sum along an axis has the sign that it has in the kinematics; what is a product at sight is a speed.
-        v = along if 0 in (vx, vy) and _is_times_a_sum(along := vx + vy) else v
+        v = along if 0 in (vx, vy) and ((along := vx + vy).is_Add or _is_times_a_sum(along)) else v
         for kind, mass, name, expr in (
             ("v", made.mass, f"v_{self.centre(made)}", v),
             ("omega", made.inertia, f"omega_{made.body}", _collected(self._put(made.omega))),

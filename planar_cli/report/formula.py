@@ -19,7 +19,7 @@ from planar_cli.report.fractional_powers import absorbed, with_whole_powers
 from planar_cli.report.names import plain_name
 from planar_cli.report.numbers import significant
 from planar_cli.report.ordering import in_order, term_key
-from planar_cli.report.whole_squares import whole_square
+from planar_cli.report.whole_squares import whole_square, without_sign
 
 Values = Mapping[sympy.Symbol, str]
 
@@ -202,7 +202,7 @@ class _Reader:
         base, exponent = expr.args
         if base.func.__name__ in _ANGULAR and exponent.is_Integer and exponent > 1:
             return self._function(base, int(exponent))
-        inside = self.read(base)
+        inside = self.read(without_sign(base) if exponent.is_even else base)
         if isinstance(inside, Numeral) and inside.given and exponent.is_even:
             inside = Numeral(inside.text.removeprefix("-"), given=True)  # (-3)² is 3²
         return Power(inside, self.read(exponent))
