@@ -123,3 +123,10 @@ def test_an_acceleration_that_a_force_needs_serves_for_its_stretch() -> None:
     assert "From 1 to mid, work and kinetic energy" in page_of_file("crate-winched-up-a-slope"), (
         "a given force needs none"
     )
+
+
+def test_what_two_balances_tell_together_needs_no_law_of_motion() -> None:
+    """Energy and momentum tell both speeds; the acceleration of the block on the carrier stays unwritten."""
+    page = page_of_file("block-shot-along-a-carrier")
+    assert "(5), (6) together: v_B,carrier,3" in page
+    assert "From 2 to 3, constant acceleration" not in page

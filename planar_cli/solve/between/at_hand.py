@@ -10,7 +10,7 @@ from collections.abc import Collection, Mapping, Sequence
 import sympy as sp
 
 from planar_cli.equation.exact import Valuation
-from planar_cli.solve.between.derivation import Derivation, Edge
+from planar_cli.solve.between.derivation import Derivation, Edge, each_once
 from planar_cli.solve.between.quarters import is_harmonic, quarters
 from planar_cli.solve.regimes.costs import HIDDEN
 from planar_cli.solve.regimes.effort import AT_HAND
@@ -51,21 +51,27 @@ def _used(best: Mapping[sp.Symbol, Derivation], targets: Collection[sp.Symbol]) 
     rests on it, of what is accelerated along another axis or at another time, as in a throw; else no equation of it
     stands on the page, where energies or momentum tell why a velocity stays.
     """
-    seen: set[sp.Symbol] = set()
     found: dict[Known, tuple[str, bool]] = {}
-    waiting = list(targets)
-    while waiting:
-        own = best.get(x := waiting.pop())
-        if x in seen or own is None:
-            continue
-        seen.add(x)
-        for e in own.equations:
-            if (law := _law(e)) is not None and e.law is not None:
-                told = found.get(law, ("", False))[1]
-                found[law] = (e.law.coordinate.words.partition(" of ")[2], told or e.kind == "q(t)")
-        waiting += own.needs
+    # What two equations tell together needs no law of its own.
+    kept = {x: d for d in each_once(_on_the_way(best, targets)) for x in d.unknowns}
+    for e in (e for d in _on_the_way(kept, targets) for e in d.equations):
+        if (law := _law(e)) is not None and e.law is not None:
+            told = found.get(law, ("", False))[1]
+            found[law] = (e.law.coordinate.words.partition(" of ")[2], told or e.kind == "q(t)")
     thrown = {thing for law, (thing, _) in found.items() if law[1] != 0 and thing}
     return {law for law, (thing, told) in found.items() if law[1] != 0 or (told and thing in thrown)}
+
+
+def _on_the_way(best: Mapping[sp.Symbol, Derivation], targets: Collection[sp.Symbol]) -> list[Derivation]:
+    """The derivations of the targets and of all that they need."""
+    found: list[Derivation] = []
+    waiting = list(targets)
+    while waiting:
+        own = best.get(waiting.pop())
+        if own is not None and own not in found:
+            found.append(own)
+            waiting += own.needs
+    return found
 
 
 def _asked(edges: Sequence[Edge], kinetics: Collection[str]) -> set[Known]:
