@@ -25,6 +25,7 @@ from planar_cli.equation.natural import natural_pushes
 from planar_cli.equation.quantities import Quantities, quantities_of
 from planar_cli.equation.scene import Scene
 from planar_cli.equation.swaying import ROPES, sways
+from planar_cli.equation.two_force import with_two_force_members
 from planar_cli.problem.expression import AtRest, Equilibrium, Extreme, Number, Quantity, Relation, Statement, Word
 from planar_cli.problem.facts import Law, Mode, Push, Skid, Wrench
 from planar_cli.problem.geometry import Vec
@@ -324,10 +325,11 @@ def make_system(
     facts = [mode.facts for mode in modes.values()]
     tree = builder.build(j for f in facts for j in f.joinings)
     several = {j.joint for f in facts for j in f.joinings} if _freedom(tree) > MOST_FREE else set[str]()
-    pushes = (*natural_pushes(scene, facts, plain | several), *drivers)
+    natural = natural_pushes(scene, facts, plain | several)
+    pushes = (*with_two_force_members(scene, facts, natural, drivers), *drivers)
     for push in pushes:
         if push.name not in symbols:
-            symbols[push.name] = scene.ledger.fresh(*named(push))
+            symbols[push.name] = symbols[push.like] if push.like else scene.ledger.fresh(*named(push))
     laws = tuple(law for f in facts for law in f.laws)
     first = Motion(tree, scene.center, scene.arms.between, {})
     return System(

@@ -38,7 +38,8 @@ class Pin(Joint):
 
     Equations
         r_A of one body = r_A of the other; so also v_A and a_A. Two reactions per further body, no moment (or the
-        friction torque, against the relative rotation).
+        friction torque, against the relative rotation). A body without mass on which two pins alone act is a two-force
+        member: one reaction along it, at both pins.
 
     Signs
         `reaction(A)` is the force *on* the body whose partner is the ground, x to the right, y up. Between two moving

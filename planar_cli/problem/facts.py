@@ -140,7 +140,8 @@ def relative(body: str, other: str, point: Vec, direction: Vec) -> tuple[Pull, P
 class Push:
     """An unknown scalar reaction: its name, its unit ("N" or "N*m"), and what it does to each body.
 
-    `kind`: normal, friction, component, tension, couple. `place`: the point or joint it is named after.
+    `kind`: normal, friction, component, tension, couple. `place`: the point or joint it is named after. `like`: another
+    push, of the same size; "": it has its own. `member`: the body along which it pulls, with such a push at each end.
     """
 
     name: str
@@ -149,6 +150,8 @@ class Push:
     place: str
     actions: tuple[Action, ...]
     unit: str = "N"
+    like: str = ""
+    member: str = ""
 
 
 @record

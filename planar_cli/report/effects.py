@@ -66,7 +66,7 @@ def _contacts(instant: InstantSolution) -> list[str]:
             "component": "pin force",
             "tension": "tension",
             "couple": "couple",
-        }[push.kind]
+        }["component" if push.member else push.kind]
         place = system.aliases.get(push.joint, push.joint)
         if words not in found.setdefault(place, []):
             found[place].append(words)

@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterator, Sequence
 
 import sympy as sp
 
-from planar_cli.equation.scene import Scene
+from planar_cli.equation.two_force import acts_on
 from planar_cli.loads.base import Load
 from planar_cli.problem.acting import acting_loads
 from planar_cli.problem.expression import Name as Letter
@@ -44,7 +44,7 @@ class FiniteForces:
         for load in acting_loads(self.problem):
             finite = type(load).impulses is Load.impulses and self._acts(load.during, since)
             absent = load.kind == "weight" and (level or self.problem.plane != "vertical")
-            if absent or not finite or not _loaded(load, scene, bodies):
+            if absent or not finite or not acts_on(load, scene, bodies):
                 continue
             if letter := _letter(load):
                 letters.append(letter)
@@ -103,11 +103,3 @@ def _letter(load: Load) -> str:
     if isinstance(magnitude, Letter):
         return magnitude.name
     return "" if load.name in (getattr(load, "body", ""), getattr(load, "at", ""), FORCE) else load.name
-
-
-def _loaded(load: Load, scene: Scene, bodies: Collection[str]) -> bool:
-    """Does a load act on one of these bodies? Weights act on what has mass."""
-    if load.kind == "weight":
-        return load.name in bodies and scene.bodies[load.name].mass != 0
-    ends: tuple[str, ...] = getattr(load, "between", None) or ()
-    return not {getattr(load, "body", ""), *ends, *(scene.owner(end) for end in ends)}.isdisjoint(bodies)

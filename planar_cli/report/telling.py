@@ -50,6 +50,7 @@ from planar_cli.report.spoken import begun, lead_of, spoken
 from planar_cli.report.steps import EQUILIBRIUM, KINETICS, SOLVING
 from planar_cli.report.sums_of_rates import sums_of_rates
 from planar_cli.report.translations import translations
+from planar_cli.report.two_force import two_force_members
 from planar_cli.report.vectors import VectorTelling
 from planar_cli.report.velocities_first import asked_told, of_velocities, without_repeats
 from planar_cli.report.words import Phrases
@@ -142,7 +143,7 @@ class Telling:
             blocks.append(self._step(EQUILIBRIUM if still else KINETICS, still or self.principle.diagram))
             rows = diagrams(self.instant, last, self.phrases, self.principle.inertia_as_force)
             bodies = list(dict.fromkeys(b for row in rows for b in row.body.split(", ")))
-            blocks += [*(() if kinematics else legend), *rows]
+            blocks += [*(() if kinematics else legend), *two_force_members(self.system, rows), *rows]
             blocks += sentences(self.system, bodies, self.principle.inertia_as_force)
             blocks += self.definitions.lines(self._used(), "kg")
             written = [w for b in last.blocks for w in b.equations]

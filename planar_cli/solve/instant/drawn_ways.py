@@ -14,6 +14,7 @@ from planar_cli.equation.system import System
 from planar_cli.problem.facts import Joining, Push
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
+from planar_cli.solve.instant.led import led_by_ground
 from planar_cli.solve.instant.numbers import Numbers
 
 MOST = 12
@@ -34,7 +35,9 @@ def named_ways(system: System, numbers: Numbers, bodies: tuple[str, ...]) -> lis
             if push.kind not in DRAWN or action.body not in bodies or force is None or not _slants(numbers, force):
                 continue
             if push.kind == "tension":
-                tie = scene.problem.called(push.joint)
+                if all(a.body in bodies for a in push.actions):
+                    continue  # what two bodies of a group do to each other is not drawn
+                tie = push.member or scene.problem.called(push.joint)
                 found += [(force, f"along {tie}"), (force.turned(), f"perpendicular to {tie}")]
             elif _several_at(system, push):
                 found += [(force, f"along {push.name}"), *_along_guide(system, push, bodies)]
@@ -42,6 +45,11 @@ def named_ways(system: System, numbers: Numbers, bodies: tuple[str, ...]) -> lis
                 way = "normal" if push.kind == "normal" else "contact"
                 found += [(force, f"along the {way} at {push.place}"), *_along_guide(system, push, bodies)]
     return found[:MOST]
+
+
+def goes_round(system: System, bodies: tuple[str, ...]) -> bool:
+    """Is it one particle, which no straight guide leads?"""
+    return len(bodies) == 1 and not system.scene.rigid(bodies[0]) and not led_by_ground(system, bodies[0])
 
 
 def _several_at(system: System, push: Push) -> bool:

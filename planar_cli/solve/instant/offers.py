@@ -27,7 +27,7 @@ from planar_cli.problem.scene import GROUND
 from planar_cli.records import record
 from planar_cli.solve.instant import candidates as c
 from planar_cli.solve.instant.candidates import Candidate, Choice, combine, cross3, priced
-from planar_cli.solve.instant.drawn_ways import named_ways
+from planar_cli.solve.instant.drawn_ways import goes_round, named_ways
 from planar_cli.solve.instant.numbers import Numbers
 from planar_cli.solve.instant.pressed_across import pressed_across_lines
 from planar_cli.solve.multibody.linear import Row
@@ -277,9 +277,9 @@ class Offers:
         return [self._force(group, way, name, c.AXIS) for name, way in ways]
 
     def _form_along(self, words: str, group: Group) -> float:
-        """How it is drawn: along a contact or tie; also across a tie, along the arc on which it leads a particle."""
-        led = len(group.bodies) == 1 and not self.scene.rigid(group.bodies[0])
-        return c.ALONG_CONTACT if led or words.startswith("along") else c.NAMED_SLANT
+        """How it is drawn: along a contact or tie; also across a tie that leads a particle on an arc."""
+        drawn = words.startswith("along") or goes_round(self.system, group.bodies)
+        return c.ALONG_CONTACT if drawn else c.NAMED_SLANT
 
     def _force(self, group: Group, direction: Vec, words: str, form: float) -> Candidate | None:
         row = combine(group.rows[:2], (self.numbers.value(direction.x), self.numbers.value(direction.y)))

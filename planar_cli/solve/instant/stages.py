@@ -222,7 +222,7 @@ def acceleration_unknowns(system: System) -> list[sp.Symbol]:
     ledger = system.scene.ledger
     followers = {law.push for law in system.laws}
     seconds = system.scene.evaluator.second_rates
-    pushes = [system.symbols[p.name] for p in system.pushes if p.name not in followers]
+    pushes = [system.symbols[p.name] for p in system.pushes if p.name not in followers and not p.like]
     found = [*system.tree.acceleration_unknowns(), *seconds, *pushes]
     return [*found, *(s for s in ledger.sought if s not in found)]
 

@@ -169,7 +169,7 @@ class Outcome:
 
     def push(self, name: str) -> Decimal | None:
         """The value of a push; None when it is not unique, zero when it is absent."""
-        column = self.assembly.columns.get(name)
+        column = self.assembly.columns.get(self.assembly.alike.get(name, name))
         if column is None:
             return ZERO
         return self.solved.values[column] if self.solved.unique(column) else None

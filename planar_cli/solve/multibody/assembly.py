@@ -36,6 +36,8 @@ class Assembly:
     columns: dict[Any, int] = field(default_factory=dict)
     rows: list[dict[int, Decimal]] = field(default_factory=list)
     sources: list[str] = field(default_factory=list)
+    alike: dict[str, str] = field(default_factory=dict)
+    """Pushes that have the size of another one, and no column."""
 
     def __post_init__(self) -> None:
         for body in self.centers:
@@ -186,9 +188,12 @@ class Assembly:
     ) -> None:
         """Σ F - m a = 0 and Σ M_G - I α = 0 of every body. `sought`: what a unit of an unknown load does."""
         rows: dict[str, tuple[dict[int, Decimal], ...]] = {body: ({}, {}, {}) for body in self.centers}
+        self.alike |= {push.name: push.like for push in pushes if push.like}
         for push in pushes:
             for action in push.actions:
-                self._act(rows, self.column(push.name), action.body, action.point, action.force, action.couple)
+                self._act(
+                    rows, self.column(push.like or push.name), action.body, action.point, action.force, action.couple
+                )
         for name, wrench in sought:
             self._act(rows, self.column(name), wrench.body, wrench.point, wrench.force, wrench.couple)
         for wrench in wrenches:
@@ -212,10 +217,15 @@ class Assembly:
             return
         at = self.number(point)
         f = self.number(force) if force is not None else Vec(ZERO, ZERO)
-        moment = (at - self.centers[body]).cross(f) + self.value(couple)
+        moment = _moment(at - self.centers[body], f) + self.value(couple)
         for row, c in zip(rows[body], (f.x, f.y, moment), strict=True):
             if c:
                 row[column] = _cancelled(row.get(column, ZERO), c)
+
+
+def _moment(arm: Vec, force: Vec) -> Decimal:
+    """Zero of a force along its arm, where only last digits are left."""
+    return _cancelled(arm.x * force.y, -arm.y * force.x)
 
 
 def _cancelled(one: Decimal, other: Decimal) -> Decimal:
