@@ -41,6 +41,7 @@ from planar_cli.figures.shapes import body_marks
 from planar_cli.figures.side_by_side import BOX, POINT, guided, side_by_side
 from planar_cli.figures.springs import settled
 from planar_cli.figures.state_measures import lengths_of_ways, state_measures
+from planar_cli.figures.sunk import sunk
 from planar_cli.figures.surfaces import surface_marks
 from planar_cli.figures.unguided import is_idle, led_blocks
 from planar_cli.figures.within import within
@@ -144,7 +145,7 @@ def _panel(marks: tuple[Mark, ...]) -> Panel:
     """Bodies that meet, and nothing else, are at one point although they are drawn side by side."""
     placed = extent_of([s for m in marks for s in spots_of(m)])
     signs = all(isinstance(m, Symbol | Arrow | Turn | Tag | Angle | Axes) for m in marks)
-    return Panel(tuple(settled(marks)), least=ALONE if signs and placed < 3 * BOX / POINT else 0.0)
+    return Panel(tuple(settled(sunk(marks))), least=ALONE if signs and placed < 3 * BOX / POINT else 0.0)
 
 
 def _marks(drawn: Drawn, moving: Moving | None, whole: Problem, later: Sequence[Later] = ()) -> Iterator[Mark]:

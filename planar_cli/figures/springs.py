@@ -46,7 +46,7 @@ def _raised(strut: Strut, blocks: Sequence[Symbol]) -> float:
     way, length = way_of(strut.start, strut.end), math.dist(strut.start, strut.end)
     for block in blocks:
         in_line = off(strut.start, way, block.at) < NEAR * length
-        if block.kind == "block" and in_line and abs(math.sin(way - block.angle)) < ALONG:
+        if block.kind == "block" and not block.aside and in_line and abs(math.sin(way - block.angle)) < ALONG:
             return RAISED if math.cos(way - block.angle) > 0 else -RAISED
     return 0.0
 

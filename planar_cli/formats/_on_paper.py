@@ -131,6 +131,10 @@ def _arc(mark: Arc, scale: Scale) -> Iterator[Piece]:
 @_drawn.register
 def _hatched(mark: Hatched, scale: Scale) -> Iterator[Piece]:
     places = tuple(map(scale.spot, mark.places))
+    if mark.aside:
+        (x, y), (u, v) = places[0], places[-1]
+        way = math.atan2(y - v, u - x)
+        places = tuple(moved(p, way, 0.0, mark.aside) for p in places)
     yield Stroke(places, "ground")
     yield from hatching(places)
 
@@ -361,7 +365,7 @@ def _head(tip: Spot, way: float) -> Stroke:
 
 @_drawn.register
 def _angle(mark: Angle, scale: Scale) -> Iterator[Piece]:
-    at, radius = scale.spot(mark.vertex), mark.radius or VERTEX
+    at, radius = moved(scale.spot(mark.vertex), 0.0, *mark.shift), mark.radius or VERTEX
     yield Stroke((at, moved(at, mark.start, radius + VERTEX * 0.35)), "measure dashed")
     yield Stroke(arc(at, radius, mark.start, mark.sweep), "measure")
     middle = mark.start + mark.sweep / 2

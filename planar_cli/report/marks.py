@@ -81,9 +81,12 @@ class Arc:
 
 @record
 class Hatched:
-    """A fixed edge, through these places; its hatching lies to the right of the way along it."""
+    """A fixed edge, through these places; its hatching lies to the right of the way along it. `aside`: on paper it lies
+    so far to the left of its way, px.
+    """
 
     places: tuple[Spot, ...]
+    aside: float = 0.0
 
 
 @record
@@ -210,8 +213,8 @@ class Dimension:
 
 @record
 class Angle:
-    """An angle at a vertex, from the direction `start` through `sweep`. `radius`: of its arc on paper, px (0: what is
-    usual).
+    """An angle at a vertex, from the direction `start` through `sweep`. On paper, px: `radius`: of its arc (0: what is
+    usual); `shift`: it is so far to the right and up of its vertex.
     """
 
     vertex: Spot
@@ -219,6 +222,7 @@ class Angle:
     sweep: float
     words: Line
     radius: float = 0.0
+    shift: Spot = (0.0, 0.0)
 
 
 @record
