@@ -144,10 +144,13 @@ def test_a_group_of_bodies_has_its_diagram_without_the_forces_between_them() -> 
     assert [line(Name("C")) in words for words in named] == [False, False, True]
 
 
-def test_what_is_given_against_its_letter_is_not_found() -> None:
-    """The ball comes down, as the file says."""
-    notes = ["".join(map(plain, f.note)) for f in diagrams("ball-on-a-rough-floor")]
-    assert "given: m*v_Gy__1 downward" in notes
+def test_what_is_given_against_its_letter_is_drawn_the_way_it_is() -> None:
+    """The ball comes down, as the file says: -m v_y downward, and no word under it."""
+    blow = next(f for f in diagrams("ball-on-a-rough-floor") if len(f.panels) > 2)
+    arrows = [m for m in blow.panels[0].marks if isinstance(m, Arrow)]
+    told = {"".join(map(plain, m.words)): round(math.sin(m.angle), 9) for m in arrows}
+    assert told == {"m*v_Gx__1": 0, "-m*v_Gy__1": -1}
+    assert blow.note == ()
 
 
 def test_a_spring_that_only_pushes_is_drawn_pushing_with_a_positive_size() -> None:

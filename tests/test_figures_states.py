@@ -291,3 +291,14 @@ def test_springs_of_later_states_do_not_lie_beside_the_first_as_further_ones() -
     assert coils[0].lane * coils[1].lane < 0, "the two are beside each other"
     plates = [m.aside for m in marks if isinstance(m, Symbol) and m.kind == "plate"]
     assert plates[0] * plates[1] < 0, "with the plates at their ends"
+
+
+def test_what_will_stick_is_drawn_where_it_comes_from() -> None:
+    """A bullet before the side of the block; a bag that is thrown into a cart from above, along its way."""
+    for stem, angle in (("bullet-stays-in-a-block", 0), ("sandbag-into-a-cart", -40)):
+        marks = marks_of(stem)
+        (particle,) = [m for m in marks if isinstance(m, Symbol) and m.kind == "particle"]
+        (way,) = [m for m in marks if isinstance(m, Arrow) and m.inward]
+        assert math.degrees(way.angle) == pytest.approx(angle), stem
+        assert particle.at[0] < 0 < particle.at[1], stem
+        assert not any(isinstance(m, Symbol) and m.kind == "weld" for m in marks), stem

@@ -38,7 +38,7 @@ from planar_cli.figures.positions import (
 from planar_cli.figures.rings import extent_of, way_of
 from planar_cli.figures.ropes import bends
 from planar_cli.figures.shapes import body_marks
-from planar_cli.figures.side_by_side import BOX, POINT, guided, side_by_side
+from planar_cli.figures.side_by_side import BOX, EDGE, POINT, guided, is_apart, scale_of, side_by_side
 from planar_cli.figures.springs import settled
 from planar_cli.figures.state_measures import lengths_of_ways, state_measures
 from planar_cli.figures.sunk import sunk
@@ -178,13 +178,13 @@ def _marks(drawn: Drawn, moving: Moving | None, whole: Problem, later: Sequence[
                 along = way_of(mark.places[0], mark.places[-1])
                 on_it = [name for name in sliders(problem, surface) if name in masses]
                 standing |= {name: Symbol("block", masses[name], along) for name in on_it}
-    aside = side_by_side(drawn, moving, joints)
+    aside = side_by_side(drawn, moving, joints, standing)
     hung = {n: block for n, block in {**led_blocks(drawn), **hanging(drawn)}.items() if n not in standing}
     sketched = [
         shifted(m, aside.get(getattr(entry, "body", ""), (0.0, 0.0)))
         for entry in (*problem.joints, *_loads(problem, whole))
         for s in sketch_of(drawn, entry)
-        if not hangs_along(drawn, s, hung) and not is_idle(drawn, entry, s)
+        if not (hangs_along(drawn, s, hung) or is_idle(drawn, entry, s) or is_apart(entry, aside))
         for m in sketch_marks(drawn, s, line(entry.name), slid_to(later, entry, s))
     ]
     sliding = {m.at for m in sketched if isinstance(m, Symbol) and m.kind in ("slider", "rail", "block")}
@@ -194,8 +194,7 @@ def _marks(drawn: Drawn, moving: Moving | None, whole: Problem, later: Sequence[
             if isinstance(here, Symbol) and (here.at in sliding or name in hung):
                 continue
             yield standing.get(name, here) if isinstance(here, Symbol) else here
-    yield from (*inner, *sketched, *hung.values(), *frame_marks(drawn))
-    yield from slack_marks(drawn, joints)
+    yield from (*inner, *sketched, *hung.values(), *frame_marks(drawn), *slack_marks(drawn, joints))
     written = [p for p in problem.points if not p.unnamed and p.name not in problem.hidden]
     shown = {p.name: points[p.name] for p in written if p.name in points}
     bars = [m for n in scene.bodies.values() for m in body_marks(drawn, n) if isinstance(m, Polyline) and not m.closed]
@@ -205,7 +204,8 @@ def _marks(drawn: Drawn, moving: Moving | None, whole: Problem, later: Sequence[
     measures = [*lines_of_points(drawn, tagged), *measure_marks(drawn, problem, tagged, edges_of)]
     yield from (*measures, *_origin(measures, tagged))
     if moving is not None:
-        yield from arrows_apart(given_motion_marks(moving, problem, aside, guided(drawn, joints)), sketched)
+        given = given_motion_marks(moving, problem, aside, guided(drawn, joints), EDGE * scale_of(drawn))
+        yield from arrows_apart(given, sketched)
     yield Axes(problem.plane == "vertical")
     yield from names_of_bodies(drawn, problem, tagged)
 

@@ -15,7 +15,7 @@ from planar_cli.equation.arrows import vector_arrow
 from planar_cli.equation.bodies import BodyModel
 from planar_cli.figures.broken import NOT_TO_SCALE, broken_together
 from planar_cli.figures.drawn import Drawn
-from planar_cli.figures.found_ways import note_of
+from planar_cli.figures.found_ways import given_turned, note_of
 from planar_cli.figures.lanes import in_lanes
 from planar_cli.figures.moment_centres import with_centres
 from planar_cli.figures.pulling import Pulling
@@ -90,7 +90,7 @@ def diagram(row: Forces, below: Sequence[Block], solution: Solution) -> Figure |
     drawn = Drawn(row.scene, left[0].way.value, {})
     # In equilibrium there is nothing on the other side; before a blow there is no momentum of what is at rest.
     sides = [s for s in _sides(row, left, right) if s.vectors]
-    panels = [_panel(drawn, row, s.vectors, s.style, s.head) for s in sides]
+    panels = [_panel(drawn, row, s, solution) for s in sides]
     signs = "".join(s.sign for s in sides[1:])
     told = note_of(panels, row, solution)
     centred, cut = broken_together(with_centres(drawn, row, below, panels))
@@ -121,7 +121,7 @@ def _vectors(listed: Line) -> Iterator[_Vector]:
                 yield _Vector(tuple(entry[:i]), piece.text, piece.way, tuple(entry[i + 1 :]))
 
 
-def _panel(drawn: Drawn, row: Forces, vectors: Sequence[_Vector], style: Style, head: str) -> Panel:
+def _panel(drawn: Drawn, row: Forces, side: _Side, solution: Solution) -> Panel:
     bodies = [drawn.scene.bodies[name] for name in row.body.split(", ")]
     marks: list[Mark] = [slim(m) for b in bodies for m in body_marks(drawn, b)]
     marks += ropes_within(drawn, frozenset(b.name for b in bodies))
@@ -134,17 +134,17 @@ def _panel(drawn: Drawn, row: Forces, vectors: Sequence[_Vector], style: Style, 
     centers += [(own.middle, False) for own in insides.values()]
     tags: dict[str, Spot] = {}
     areas = [m.places for m in marks if isinstance(m, Polyline) and m.closed]
-    for vector in vectors:
+    for vector in side.vectors:
         at = _spot(drawn, vector.way, vector.way.place)
         if at is None:
             continue
         if (named := _AT.search(vector.told)) is not None:
             tags[named[1]] = at
         center = min((c for c, _ in centers), key=lambda c: math.dist(c, at), default=None)
-        made = list(_mark(drawn, vector, at, center, style))
+        made = list(_mark(drawn, vector, at, center, side.style))
         if at in insides:
             middle = insides[at].middle
-            made = [_put(m, insides[at], vector.way.kind) for m in _mark(drawn, vector, at, middle, style)]
+            made = [_put(m, insides[at], vector.way.kind) for m in _mark(drawn, vector, at, middle, side.style)]
         elif named is None and at != center:
             near = NOT_NEEDED in vector.told
             made = [_on_edge(_within(m, areas) if near else m, areas) for m in made]
@@ -153,10 +153,11 @@ def _panel(drawn: Drawn, row: Forces, vectors: Sequence[_Vector], style: Style, 
         tags |= {
             p.name: spot for p in vector.where if isinstance(p, Name) and (spot := drawn.named(p.name)) is not None
         }
-        marks += (*made, *_distance(vector, made, tags))
+        turned = [given_turned(m, row, solution) for m in made]
+        marks += (*turned, *_distance(vector, made, tags))
     marks += [Symbol("point", at) for at in tags.values() if at not in (c for c, _ in centers)]
     marks += [Tag(at, line(Name(name))) for name, at in tags.items()]
-    return Panel(tuple(in_lanes(marks)), line(head), pulling.least)
+    return Panel(tuple(in_lanes(marks)), line(side.head), pulling.least)
 
 
 def _pulls(drawn: Drawn, row: Forces) -> Iterator[Spot]:

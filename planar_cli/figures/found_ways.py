@@ -9,15 +9,16 @@ import math
 import re
 from collections import ChainMap, Counter
 from collections.abc import Collection, Iterator, Sequence
+from dataclasses import replace
 from decimal import Decimal
 
-from sympy import Expr, Integer, Rational, Symbol
+from sympy import Add, Expr, Integer, Rational, Symbol
 
 from planar_cli.equation.exact import Valuation
 from planar_cli.figures.written_out import formulas_of, sign_of, states_against, written_out
 from planar_cli.problem.expression import Quantity
 from planar_cli.report.blocks import Forces, Inline, Line, Math, line
-from planar_cli.report.marks import Arrow, Panel, Turn
+from planar_cli.report.marks import Arrow, Mark, Panel, Turn
 from planar_cli.report.names import plain_name
 from planar_cli.report.numbers import rotation_words
 from planar_cli.solve.between.trace import ImpactEquation, MotionTrace, RouteStep
@@ -43,20 +44,32 @@ GIVEN = "given"
 LEGEND = "dashed: direction assumed"
 
 
+def given_turned(mark: Mark, row: Forces, solution: Solution) -> Mark:
+    """What the file gives against its letter drawn the way it is: -m v_y downward, where v_y < 0 is given. `row`: the
+    list of forces that the mark is of.
+    """
+    first = next((p for p in mark.words if isinstance(p, Math)), None) if isinstance(mark, Arrow | Turn) else None
+    if first is None or not isinstance(mark, Arrow | Turn) or isinstance(first.expr, Add):
+        return mark
+    if not _size(mark.words).free_symbols <= _data(row, solution) or not _is_against(mark.words, row, solution):
+        return mark
+    words = tuple(replace(p, expr=-first.expr) if p is first else p for p in mark.words)
+    if isinstance(mark, Turn):
+        return replace(mark, words=words, sense=-mark.sense)
+    return replace(mark, words=words, angle=mark.angle + math.pi)
+
+
 def note_of(panels: Sequence[Panel], row: Forces, solution: Solution) -> Line:
     """Nothing where no direction is assumed and each is as drawn. `row`: the list of forces of these diagrams."""
     drawn = [m for p in panels for m in p.marks if isinstance(m, Arrow | Turn)]
     legend = [LEGEND] if any(isinstance(m, Arrow) and m.assumed for m in drawn) else []
     against = {repr((m.words, _opposite(m))): m for m in drawn if _is_against(m.words, row, solution)}
-    data = _data(row, solution)
-    given = [m for m in against.values() if _size(m.words).free_symbols <= data]
-    found = [m for m in against.values() if m not in given]
-    others = {repr(m.words): m for m in drawn if m not in against.values()}
+    found = [*against.values()]
+    others = {repr(m.words): m for m in drawn if m not in found}
     # Where the sense of one is told, all are.
     here = [m for m in others.values() if against and _is_against_here(m.words, row, solution)]
-    heads = (("given: ", given), ("found: ", found), ("as drawn here: ", here))
     parts: list[list[Inline | str]] = [[*legend]]
-    parts += [[head, *_told(own)] for head, own in heads if own]
+    parts += [[head, *_told(own)] for head, own in (("found: ", found), ("as drawn here: ", here)) if own]
     parts += _by_states([m for m in others.values() if m not in here], row, solution)
     told = [piece for part in parts if part for piece in ("; ", *part)]
     return line(*told[1:])

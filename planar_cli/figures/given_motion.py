@@ -119,10 +119,10 @@ class _Given:
 
 
 def given_motion_marks(
-    moving: Moving, problem: Problem, aside: Mapping[str, Spot], led: Collection[str] = ()
+    moving: Moving, problem: Problem, aside: Mapping[str, Spot], led: Collection[str] = (), edge: float = math.inf
 ) -> Iterator[Mark]:
     """`aside`: by so much bodies are drawn beside their places, m; `led`: those that are in guides, with a
-    size.
+    size; `edge`: how far a particle reaches, m.
     """
     told: dict[tuple[str, str], dict[str, _Given]] = {}
     for one in _given(problem):
@@ -136,7 +136,7 @@ def given_motion_marks(
         if word not in ROTATIONS:
             for arrow in _vector(moving, word, name, at, parts):
                 yield (
-                    _up_to(arrow, aside[name])
+                    _up_to(arrow, aside[name], edge)
                     if name in aside and name not in led and isinstance(arrow, Arrow)
                     else arrow
                 )
@@ -147,12 +147,13 @@ def given_motion_marks(
             yield mark if alone else replace(mark, words=line(Name(f"{word}_{name}"), " = ", *mark.words))
 
 
-def _up_to(arrow: Arrow, aside: Spot) -> Arrow:
+def _up_to(arrow: Arrow, aside: Spot, edge: float) -> Arrow:
     """An arrow that would run into what its body meets ends at the body."""
-    ahead = aside[0] * math.cos(arrow.angle) + aside[1] * math.sin(arrow.angle)
-    if ahead >= -NEAR * math.hypot(*aside):
+    x, y = math.cos(arrow.angle), math.sin(arrow.angle)
+    if aside[0] * x + aside[1] * y >= -NEAR * math.hypot(*aside):
         return arrow
-    return replace(arrow, at=(arrow.at[0] + RIM * aside[0], arrow.at[1] + RIM * aside[1]), inward=True)
+    back = RIM * min(edge, math.hypot(*aside))
+    return replace(arrow, at=(arrow.at[0] - back * x, arrow.at[1] - back * y), inward=True)
 
 
 def _where(drawn: Drawn, word: str, name: str) -> Spot | None:
@@ -216,6 +217,8 @@ def _turn(moving: Moving, word: str, at: Spot, parts: Mapping[str, _Given]) -> I
 def _vector(moving: Moving, word: str, name: str, at: Spot, parts: Mapping[str, _Given]) -> Iterator[Mark]:
     whole = moving.vector(word, name)
     if MAG in parts or ANGLE in parts:
+        # Before a blow the motion that was worked out may be that behind it.
+        whole = Told(moving.drawn).vector(word, name) or whole
         if whole is None or math.hypot(*whole) < NEAR:
             return
         words = words_of(parts[MAG].size) if MAG in parts else ()

@@ -1,37 +1,39 @@
 """Particles that meet are at one place: just before that they are drawn side by side, each where it comes from, and one
-that strikes a body beside the place where it does.
+that strikes a body, or will stick in it, beside the place where it does.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 
 from planar_cli.equation.meeting import meeting_of
 from planar_cli.errors import PlanarError
 from planar_cli.figures.drawn import Drawn
-from planar_cli.figures.given_motion import Moving
+from planar_cli.figures.given_motion import Moving, Told
 from planar_cli.figures.partners import sketch_of
 from planar_cli.figures.rings import extent_of
-from planar_cli.figures.shapes import body_marks
+from planar_cli.figures.shapes import body_marks, moved
 from planar_cli.joints.base import Joint
 from planar_cli.problem.scene import Composite, Particle
 from planar_cli.problem.sketches import Slide
-from planar_cli.report.marks import Spot, spots_of
+from planar_cli.report.marks import Spot, Symbol, spots_of
 
 DOT, BOX, EDGE = 5.5, 13.0, 7.5
 """Half of how far apart they are drawn, on paper; of those that slide in a guide; and how far beside a body."""
 WIDE, POINT = 400.0, 300.0
 """A scene is about so wide on paper; of one that is a point a metre is so long."""
+OUT, RAISED = 22.0, 10.0
+"""So far beside the place of a block, and above it, is what comes to the middle of its side."""
 CLOSE = 1e-9
 
 
-def side_by_side(drawn: Drawn, moving: Moving | None, joints: Sequence[Joint]) -> Mapping[str, Spot]:
-    """By so much particles are drawn beside the place at which they meet, m."""
+def side_by_side(
+    drawn: Drawn, moving: Moving | None, joints: Sequence[Joint], blocks: Mapping[str, Symbol]
+) -> Mapping[str, Spot]:
+    """By so much particles are drawn beside the place at which they meet, m. `blocks`: those drawn as blocks."""
     found: dict[str, Spot] = {}
-    shapes = (s for b in drawn.scene.bodies.values() for m in body_marks(drawn, b) for s in spots_of(m))
-    size = extent_of([*drawn.everything(), *shapes])
-    scale = size / WIDE if size > CLOSE else 1 / POINT
+    scale = scale_of(drawn)
     for joint in joints:
         between = tuple[str, ...](getattr(joint, "between", ()))
         angle = _normal(drawn, joint, between) if joint.strikes and len(between) == 2 else None
@@ -50,13 +52,56 @@ def side_by_side(drawn: Drawn, moving: Moving | None, joints: Sequence[Joint]) -
             first = between[0] == name
             way = _beside(drawn, between, name) * scale * (-1 if (closing > 0) == first else 1)
             found[name] = (way * math.cos(angle), way * math.sin(angle))
+    for joint in joints:
+        for name, other, angle in _sticking(drawn, joint, guided(drawn, joints) | blocks.keys()):
+            base = blocks[other].angle if other in blocks else _guide(drawn, joints, other)
+            far = _beside(drawn, (name, other), name) if base is None else OUT
+            up = moved((0.0, 0.0), base or 0.0, 0.0, 0.0 if base is None else RAISED)
+            x, y = moved(up, angle, -far)
+            found.setdefault(name, (scale * x, scale * y))
     return found
+
+
+def scale_of(drawn: Drawn) -> float:
+    """About how much of a scene a px is on paper, m."""
+    shapes = (s for b in drawn.scene.bodies.values() for m in body_marks(drawn, b) for s in spots_of(m))
+    size = extent_of([*drawn.everything(), *shapes])
+    return size / WIDE if size > CLOSE else 1 / POINT
+
+
+def _sticking(drawn: Drawn, joint: Joint, held: Collection[str]) -> Iterator[tuple[str, str, float]]:
+    """A particle that comes to what it will stick in, this, and the direction of its way to it. `held`: what stands on
+    or in something, which is drawn at its place.
+    """
+    bodies, between = drawn.scene.bodies, tuple[str, ...](getattr(joint, "between", ()))
+    if joint.kind != "weld" or len(between) != 2 or any(n not in bodies for n in between):
+        return
+    told = [Told(drawn).vector("v", n) or (0.0, 0.0) for n in between]
+    ones = [n for n in between if isinstance(bodies[n].shape, Particle) and n not in held]
+    if not ones or math.dist(*told) < CLOSE:
+        return
+    name = max(ones, key=lambda n: math.hypot(*told[between.index(n)]))
+    own, others = told[between.index(name)], told[1 - between.index(name)]
+    yield name, between[1 - between.index(name)], math.atan2(own[1] - others[1], own[0] - others[0])
+
+
+def is_apart(entry: object, aside: Mapping[str, Spot]) -> bool:
+    """Is it a joint in which a body will stick that is drawn before it comes there?"""
+    return (
+        isinstance(entry, Joint) and entry.kind == "weld" and not aside.keys().isdisjoint(getattr(entry, "between", ()))
+    )
 
 
 def guided(drawn: Drawn, joints: Sequence[Joint]) -> frozenset[str]:
     """The bodies in guides: carriages or sliders, and no balls."""
     slides = (s for j in joints for s in sketch_of(drawn, j) if isinstance(s, Slide))
     return frozenset(s.body or "" for s in slides)
+
+
+def _guide(drawn: Drawn, joints: Sequence[Joint], name: str) -> float | None:
+    """The direction of the guide in which a body is; None: it is in none."""
+    slides = (s for j in joints for s in sketch_of(drawn, j) if isinstance(s, Slide) and s.body == name)
+    return next((drawn.angle(s.along) for s in slides), None)
 
 
 def striker(drawn: Drawn, between: Sequence[str]) -> str:
@@ -78,6 +123,8 @@ def _beside(drawn: Drawn, between: Sequence[str], name: str) -> float:
     """How far it is drawn beside a body: two balls stand beside each other."""
     at = drawn.spot(drawn.scene.bodies[name].center)
     for other in (drawn.scene.bodies.get(n) for n in between if n != name):
+        if other is not None and isinstance(other.shape, Particle):
+            return 2 * DOT
         if other is not None and isinstance(other.shape, Composite):
             pieces = [p.shape.place for p in other.shape.pieces if isinstance(p.shape, Particle)]
             spots = [drawn.carried(other.name, p) for p in pieces if isinstance(p, str)]
