@@ -10,7 +10,7 @@ from dataclasses import replace
 from planar_cli.base_units import in_base
 from planar_cli.errors import PlanarError
 from planar_cli.homework.changed_data import changed_data
-from planar_cli.homework.literal_angles import with_names
+from planar_cli.homework.literal_data import with_names
 from planar_cli.homework.mistakes.base import Mistake
 from planar_cli.homework.paper import Expected, Mistaken
 from planar_cli.homework.what_mistakes_give import is_clearly_wrong

@@ -9,14 +9,17 @@ from planar_cli.greek import GREEK
 LETTERS = {**{sign: word for word, sign in GREEK.items()}, "ϕ": "phi", "ϑ": "theta", "ϵ": "epsilon", "Ω": "Omega"}
 """The word of each Greek letter, also of its other forms."""
 
-PREFIX, POINT = "literal_angle_", "p"
-"""An angle that the file writes as a number has such a name: `literal_angle_22p5` for 22.5°."""
+ANGLE, LENGTH, POINT = "literal_angle_", "literal_length_", "p"
+"""What the file writes as a number has such a name: `literal_angle_22p5` for 22.5°, `literal_length_0p5_m`."""
 
 
 def printed(name: str) -> str:
     """A name with Greek letters for their words, in it and in its subscripts."""
-    if name.startswith(PREFIX):
-        return f"{name.removeprefix(PREFIX).replace(POINT, '.')}°"
+    if name.startswith(ANGLE):
+        return f"{name.removeprefix(ANGLE).replace(POINT, '.')}°"
+    if name.startswith(LENGTH):
+        number, _, unit = name.removeprefix(LENGTH).partition("_")
+        return f"{number.replace(POINT, '.')} {unit}"
     return "_".join(_letter(part) for part in name.split("_"))
 
 

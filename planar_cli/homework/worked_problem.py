@@ -18,7 +18,7 @@ from planar_cli.errors import FileProblem, Mark, PlanarError, Undecided
 from planar_cli.homework.asked_words import asked_words, couples_of, in_case, is_energy, mode_asked
 from planar_cli.homework.headings import heading_of, lines_of
 from planar_cli.homework.key_text import key_text
-from planar_cli.homework.literal_angles import with_names
+from planar_cli.homework.literal_data import with_names
 from planar_cli.homework.marked_solution import has_letters, marked_solution, plainly_read
 from planar_cli.homework.mistakes.base import Mistake, Model
 from planar_cli.homework.own_gravity import gravity_of

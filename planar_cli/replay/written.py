@@ -17,6 +17,7 @@ from planar_cli.problem.facts import Test as Assumption
 from planar_cli.replay.at_states import AtState, StateNumbers, at_state, constant_steps, renamed
 from planar_cli.replay.equations import Asked, Equations, Step, Test
 from planar_cli.replay.opened import NotWritten, of_block
+from planar_cli.replay.two_places import squares_of_places
 from planar_cli.solve.between.trace import MotionTrace, RegimeTrace, RouteStep
 from planar_cli.solve.instant.instant import TINY
 from planar_cli.solve.instant.parting import parting
@@ -67,6 +68,7 @@ class _Writer:
         """Of symbols that no valuation knows."""
         self.general: dict[sp.Symbol, sp.Symbol] = {}
         """By a symbol that was made for a state, that of the general position."""
+        self.squares: dict[str, sp.Expr] = {}
 
     def know(self, ledger: Ledger, value: Valuation) -> None:
         """What a ledger knows: numbers are inputs, formulas definitions."""
@@ -105,6 +107,7 @@ class _Writer:
             self._also_made({s: role.kind for ledger in self.ledgers for s, role in ledger.roles.items()}),
             self._also_made({s: unit for ledger in self.ledgers for s, unit in ledger.units.items()}),
             self._also_made({s: title for ledger in self.ledgers for s, title in ledger.titles.items()}),
+            self.squares,
         )
         return gathered.without_loose().in_order()
 
@@ -151,6 +154,7 @@ class _Instants(_Writer):
         if solution.instant.scene.problem.symbols:
             raise NotWritten("letters without numbers remain")
         self.know(ledger, solution.value)
+        self.squares |= squares_of_places(solution.instant.scene)
         for letter in ledger.letters:
             # A mass that may be any: the answers are the same with the one that was drawn.
             self.inputs[letter.name] = letter

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from homework_made import mistakes_of
 
-from planar_cli.homework.literal_angles import with_names
+from planar_cli.homework.literal_data import with_names
 from planar_cli.problem.nodes import Mapping, Node, Scalar, read_text
 
 SLOPE = """
