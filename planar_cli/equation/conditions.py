@@ -18,6 +18,7 @@ from planar_cli.equation.evaluate import Evaluator
 from planar_cli.equation.expansion import expanded
 from planar_cli.equation.jets import Jet, constant, vector_jet
 from planar_cli.equation.motion import Motion, Tree
+from planar_cli.equation.places import polar_jets
 from planar_cli.equation.plain import simplified
 from planar_cli.equation.polar import dotted, tells_turns, vector_equations
 from planar_cli.equation.quantities import LATER, Quantities
@@ -288,8 +289,7 @@ def coordinate_conditions(
         if isinstance(place, At):
             formula = Vec(scene.evaluator.jet(place.x), scene.evaluator.jet(place.y))
         else:
-            angle = scene.evaluator.jet(place.angle)
-            reach = Vec(angle.through(sp.cos), angle.through(sp.sin)) * scene.evaluator.jet(place.distance)
+            reach = polar_jets(scene.evaluator.jet(place.distance), scene.evaluator.jet(place.angle))
             own = place.origin in scene.own_points
             formula = quantities.place(place.origin) + reach if own else scene.formulas[point.name]
         at, motion = scene.point(point.name), quantities.motion

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping
+from dataclasses import replace
 from typing import Any, Protocol
 
 import sympy as sp
@@ -11,6 +12,7 @@ from planar_cli.equation.bodies import BodyModel
 from planar_cli.equation.evaluate import Evaluator
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.jets import Jet, constant, magnitude
+from planar_cli.equation.parts_of_accelerations import CORIOLIS, NORMAL, TANGENTIAL, in_letters, with_mark
 from planar_cli.equation.plain import longer
 from planar_cli.errors import NoValue
 from planar_cli.problem.expression import Name, Number, Scaled, Side
@@ -46,6 +48,25 @@ def is_along_one_line(value: sp.Expr) -> bool:
     return lettered and all(not longer(b, 1) for b in before) and sp.expand(value - whole) == 0
 
 
+def heading(angle: Jet) -> Vec:
+    """The unit vector in a direction."""
+    return Vec(angle.through(sp.cos), angle.through(sp.sin))
+
+
+def polar_jets(distance: Jet, angle: Jet) -> Vec:
+    """A distance in a direction. What goes round and out has the parts of its acceleration, as arms have them."""
+    out = heading(angle)
+    plain: Vec = out * distance
+    r, (rate, second), (turn, bend) = distance.value, (distance.rate, distance.second), (angle.rate, angle.second)
+    if not in_letters() or rate is None or second is None or turn is None or bend is None:
+        return plain
+    along = second - with_mark(sp.sympify(r * turn**2), NORMAL)
+    across = with_mark(sp.sympify(r * bend), TANGENTIAL) + with_mark(sp.sympify(2 * rate * turn), CORIOLIS)
+    e = Vec(out.x.value, out.y.value)
+    found = e * along + e.turned() * across
+    return Vec(replace(plain.x, second=found.x), replace(plain.y, second=found.y))
+
+
 @record
 class Jets:
     """Places as Vecs of jets (problem/located.py)."""
@@ -63,7 +84,10 @@ class Jets:
         return constant(value)
 
     def unit_vector(self, angle: Jet) -> Vec:
-        return Vec(angle.through(sp.cos), angle.through(sp.sin))
+        return heading(angle)
+
+    def polar(self, distance: Jet, angle: Jet) -> Vec:
+        return polar_jets(distance, angle)
 
     def length(self, v: Vec) -> Jet:
         return magnitude(v)

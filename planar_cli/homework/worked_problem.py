@@ -36,7 +36,8 @@ from planar_cli.replay.equations import Equations
 from planar_cli.replay.numbers import Replay, Run
 from planar_cli.replay.opened import NotWritten
 from planar_cli.replay.solver import Numbers
-from planar_cli.replay.written import equations_of, is_mode
+from planar_cli.replay.writer import is_mode
+from planar_cli.replay.written import equations_of
 from planar_cli.solve.instant.verify import Disagreement
 from planar_cli.solve.solution import Found
 from planar_cli.solve.solved_problem import PartSolution, Solution

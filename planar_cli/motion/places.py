@@ -85,6 +85,9 @@ class Drawing:
     def unit_vector(self, angle: Term) -> Vec:
         return unit_vector(self.sides.graph, angle)
 
+    def polar(self, distance: Term, angle: Term) -> Vec:
+        return self.unit_vector(angle) * distance
+
     def length(self, v: Vec) -> Term:
         return length_of(self.sides.graph, v)
 

@@ -26,6 +26,9 @@ class Numbers(Protocol):
     def value(self, side: Side) -> Any: ...
     def number(self, value: int) -> Any: ...
     def unit_vector(self, angle: Any) -> Vec: ...
+    def polar(self, distance: Any, angle: Any) -> Vec:
+        """A distance in a direction."""
+
     def length(self, v: Vec) -> Any: ...
     def root(self, square: Any) -> Any: ...
     def is_nothing(self, value: Any) -> bool:
@@ -54,7 +57,7 @@ def located(point: Point, numbers: Numbers) -> Vec:
         case At():
             return Vec(value(place.x), value(place.y))
         case Polar():
-            polar: Vec = at(place.origin) + numbers.unit_vector(value(place.angle)) * value(place.distance)
+            polar: Vec = at(place.origin) + numbers.polar(value(place.distance), value(place.angle))
             return polar
         case Towards():
             origin = at(place.origin)

@@ -104,7 +104,8 @@ def renamed(step: Step, here: Mapping[sp.Symbol, sp.Symbol]) -> Step:
     """A step in other symbols."""
     unknowns = tuple(here.get(u, u) for u in step.unknowns)
     residuals = tuple(sp.sympify(r.xreplace(dict(here))) for r in step.residuals)
-    return Step(unknowns, residuals, step.kinds, step.bodies, ways=step.ways)
+    others = {here.get(u, u): roots for u, roots in step.others.items()}
+    return Step(unknowns, residuals, step.kinds, step.bodies, others, step.ways)
 
 
 class StateNumbers:

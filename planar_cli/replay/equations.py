@@ -67,8 +67,8 @@ class Equations:
     """Units in which symbols are shown."""
     titles: Mapping[sp.Symbol, str] = field(default_factory=dict)
     """What names that are defined stand for."""
-    squares: Mapping[str, sp.Expr] = field(default_factory=dict)
-    """By point that might lie at another place too, the square with whose root the place is made."""
+    squares: Mapping[str, tuple[sp.Expr, ...]] = field(default_factory=dict)
+    """By point that might lie at another place too, the square with whose root the place is made, at each instant."""
 
     def turns(self, symbol: sp.Symbol) -> bool:
         """Is a symbol an angle, an angular velocity or an angular acceleration?"""

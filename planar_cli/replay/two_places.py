@@ -1,4 +1,4 @@
-"""Places of which a file says which of two it means: the square whose root, with the other sign, gives the other one."""
+"""Places of which a file says which of two it means: the square whose root has the other sign at the other one."""
 
 from __future__ import annotations
 
@@ -50,10 +50,11 @@ def squares_of_places(scene: Scene) -> dict[str, sp.Expr]:
 
 def with_other_place(equations: Equations, point: str) -> Equations | None:
     """The equations with a point at the other of its two places; None: it does not stand in them."""
-    roots = _Roots(equations, equations.squares[point])
+    squares = [_Roots(equations, square) for square in equations.squares[point]]
 
     def change(expr: sp.Expr) -> sp.Expr:
-        return sp.sympify(sp.sympify(expr).xreplace({r: -r for r in expr.atoms(sp.Pow) if roots.is_one(r)}))
+        roots = {r: -r for r in expr.atoms(sp.Pow) if any(square.has_root(r) for square in squares)}
+        return sp.sympify(expr.xreplace(roots))
 
     changed = replace(
         equations,
@@ -74,7 +75,7 @@ class _Roots:
         self._of_square = self._numbers(square)
         self._known: dict[sp.Expr, bool] = {}
 
-    def is_one(self, power: sp.Pow) -> bool:
+    def has_root(self, power: sp.Pow) -> bool:
         """Does it change its sign with the root?"""
         if (2 * power.exp).is_odd is not True:
             return False

@@ -2,29 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
-from dataclasses import replace
-from typing import TypeVar
+from collections.abc import Mapping
 
 import numpy as np
 import sympy as sp
 
-from planar_cli.equation.exact import Valuation
-from planar_cli.equation.ledger import Ledger
-from planar_cli.equation.motion import Motion
-from planar_cli.problem.facts import Mode, Row
-from planar_cli.problem.facts import Test as Assumption
 from planar_cli.replay.at_states import AtState, StateNumbers, at_state, constant_steps, renamed
-from planar_cli.replay.equations import Asked, Equations, Step, Test
-from planar_cli.replay.opened import NotWritten, of_block
-from planar_cli.replay.two_places import squares_of_places
+from planar_cli.replay.equations import Asked, Equations, Step
+from planar_cli.replay.instants import Instants
+from planar_cli.replay.opened import NotWritten
+from planar_cli.replay.writer import Writer, is_number
 from planar_cli.solve.between.trace import MotionTrace, RegimeTrace, RouteStep
-from planar_cli.solve.instant.instant import TINY
-from planar_cli.solve.instant.parting import parting
-from planar_cli.solve.solution import Found, InstantSolution
+from planar_cli.solve.solution import Found
 from planar_cli.solve.solved_problem import PartSolution
 
-Told = TypeVar("Told")
 FAILURES = (NotWritten, ArithmeticError, TypeError, np.linalg.LinAlgError)
 """What has no number, or not one."""
 SAME = 1e-6
@@ -39,161 +30,10 @@ def equations_of(part: PartSolution) -> Equations:
         return _Motion(part, part.motion).equations()
     if not part.instants:
         raise NotWritten("no instant is worked out")
-    return _Instants(part).equations()
+    return Instants(part).equations()
 
 
-def is_number(found: Found) -> bool:
-    """Is it a number, or a vector of two?"""
-    return found.kind in ("number", "vector") and not found.word
-
-
-def is_mode(found: Found) -> bool:
-    """Is it a mode, such as slip, which stays what it is while the tests hold?"""
-    return bool(found.word) and found.kind != "truth"
-
-
-class _Writer:
-    """Gathers equations. `ledgers`, `values`: of all that is worked out."""
-
-    def __init__(self, part: PartSolution) -> None:
-        self.part = part
-        self.inputs: dict[str, sp.Symbol] = {}
-        self.defined: dict[sp.Symbol, sp.Expr] = {}
-        self.steps: list[Step] = []
-        self.asked: dict[str, Asked] = {}
-        self.tests: list[Test] = []
-        self.valuations: list[Valuation] = []
-        self.ledgers: list[Ledger] = []
-        self.numbers: dict[sp.Symbol, float] = {}
-        """Of symbols that no valuation knows."""
-        self.general: dict[sp.Symbol, sp.Symbol] = {}
-        """By a symbol that was made for a state, that of the general position."""
-        self.squares: dict[str, sp.Expr] = {}
-
-    def know(self, ledger: Ledger, value: Valuation) -> None:
-        """What a ledger knows: numbers are inputs, formulas definitions."""
-        self.valuations.append(value)
-        self.ledgers.append(ledger)
-        for symbol, expr in ledger.values.items():
-            if sp.sympify(expr).free_symbols:
-                self.defined[symbol] = expr
-            else:
-                self.inputs[symbol.name] = symbol
-        for symbol, expr in (*ledger.definitions.items(), *value.definitions.items()):
-            if symbol not in ledger.values:
-                self.defined.setdefault(symbol, sp.sympify(expr))
-
-    def made(self) -> Equations:
-        """All that was gathered, with those finds that follow from it. NotWritten: none does."""
-        made = self.gathered()
-        complete = {name: one for name, one in self.asked.items() if not self.loose(made, one)}
-        if not complete:
-            raise NotWritten("; ".join(self._told_loose(made)) or "no answer is a number of an instant or a state")
-        return replace(made, asked=complete)
-
-    def gathered(self) -> Equations:
-        """All that was gathered. NotWritten: an unknown has no number."""
-        numbers: dict[sp.Symbol, float] = {}
-        for symbol in (*self.inputs.values(), *(u for step in self.steps for u in step.unknowns)):
-            numbers[symbol] = self._number(symbol)
-        gathered = Equations(
-            self.part.case,
-            self.inputs,
-            self.defined,
-            tuple(self.steps),
-            self.asked,
-            tuple(self.tests),
-            numbers,
-            self._also_made({s: role.kind for ledger in self.ledgers for s, role in ledger.roles.items()}),
-            self._also_made({s: unit for ledger in self.ledgers for s, unit in ledger.units.items()}),
-            self._also_made({s: title for ledger in self.ledgers for s, title in ledger.titles.items()}),
-            self.squares,
-        )
-        return gathered.without_loose().in_order()
-
-    def _also_made(self, known: dict[sp.Symbol, Told]) -> dict[sp.Symbol, Told]:
-        """What is known of symbols, also of those that were made for a state."""
-        return known | {own: known[general] for own, general in self.general.items() if general in known}
-
-    def loose(self, made: Equations, asked: Asked) -> frozenset[sp.Symbol]:
-        """That on which a find rests and which is known by its number alone."""
-        return made.loose(asked.parts)
-
-    def _told_loose(self, made: Equations) -> Iterable[str]:
-        for name, one in self.asked.items():
-            yield f"{name} rests on {', '.join(sorted(s.name for s in self.loose(made, one)))}, known by a number alone"
-
-    def _number(self, symbol: sp.Symbol) -> float:
-        number = self._known(symbol)
-        if number is None:
-            raise NotWritten(f"{symbol.name} has no number")
-        return number
-
-    def _known(self, symbol: sp.Symbol) -> float | None:
-        """The number that a symbol has."""
-        if symbol in self.numbers:
-            return self.numbers[symbol]
-        return next((float(n) for v in self.valuations if (n := v.known(symbol)) is not None), None)
-
-
-class _Instants(_Writer):
-    """Instants that are each complete in themselves."""
-
-    def equations(self) -> Equations:
-        for instant in self.part.instants:
-            self._take(instant)
-        for found in self.part.found:
-            if not is_number(found):
-                continue
-            if found.asked:
-                self.asked[found.name] = Asked(tuple(map(sp.sympify, found.asked)), found.turn)
-        return self.made()
-
-    def _take(self, solution: InstantSolution) -> None:
-        ledger = solution.instant.scene.ledger
-        if solution.instant.scene.problem.symbols:
-            raise NotWritten("letters without numbers remain")
-        self.know(ledger, solution.value)
-        self.squares |= squares_of_places(solution.instant.scene)
-        for letter in ledger.letters:
-            # A mass that may be any: the answers are the same with the one that was drawn.
-            self.inputs[letter.name] = letter
-            self.valuations.append(solution.instant.scene.valuations[0])
-        for line in solution.lines:
-            self.defined[line.symbol] = line.expression
-        for stage in solution.stages:
-            self.defined.update({line.symbol: line.expression for line in stage.lines})
-            self.defined.update(dict.fromkeys(stage.zero, sp.S.Zero))
-            self.steps += [of_block(block, self.defined) for block in stage.blocks if block.equations]
-        told = {u for step in self.steps for u in step.unknowns} | self.defined.keys() | set(self.inputs.values())
-        for mode in solution.trial.system.modes.values():
-            for test in mode.tests:
-                expr = _assumed(solution, mode, test)
-                if expr is not None and expr.free_symbols and expr.free_symbols <= told:
-                    self.tests.append(Test(expr, test.words))
-
-
-def _assumed(solution: InstantSolution, mode: Mode, test: Assumption) -> sp.Expr | None:
-    """What a test demands to be positive; None: it is no sum of forces, and no slip or parting that is positive."""
-    symbols = solution.trial.system.symbols
-    if test.pushes and not test.within and all(n in symbols for n, _ in test.pushes):
-        return sp.Add(*(c * symbols[n] for n, c in test.pushes), sp.sympify(test.constant))
-    motion = solution.trial.system.motion
-    if motion is None:
-        return None
-    expr = parting(motion, test) if test.row is None else _slip(solution, motion, mode, test.row)
-    number = None if expr is None else solution.value.known(expr)
-    return expr if number is not None and number > TINY else None
-
-
-def _slip(solution: InstantSolution, motion: Motion, mode: Mode, row: Row) -> sp.Expr:
-    """The slip in the sense that is assumed: its speed where it is under way, else how fast it begins."""
-    speed = mode.direction * motion.row_velocity(row)
-    under_way = (solution.value.known(speed) or 0) > TINY
-    return speed if under_way else mode.direction * motion.row_acceleration(row)
-
-
-class _Motion(_Writer):
+class _Motion(Writer):
     """A motion from state to state."""
 
     def __init__(self, part: PartSolution, motion: MotionTrace) -> None:

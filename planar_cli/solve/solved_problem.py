@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from dataclasses import field
 from typing import TYPE_CHECKING
 
+from planar_cli.problem.expression import Side
 from planar_cli.problem.scene import Problem
 from planar_cli.records import changing, record
 from planar_cli.solve.between.trace import MotionTrace
@@ -51,6 +52,8 @@ class PartSolution:
     confirmed: Confirmation = NOT_COMPARED
     run: Run | None = None
     """The motion as it was followed from what the file tells, or from what was found."""
+    pieces: Mapping[str, tuple[tuple[str, Side, Found], ...]] = field(default_factory=dict)
+    """Where there are several instants, by find: the quantities of which it is made, each with its state and answer."""
 
     @property
     def clockwise(self) -> tuple[str, ...]:

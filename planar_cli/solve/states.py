@@ -89,7 +89,8 @@ def solve_states(
     answers = [
         _joined(find, {p.side: solved[p] for p in pieces[find.name]}, units, instants[-1]) for find in problem.find
     ]
-    return PartSolution(case, tuple(instants), tuple(answers))
+    made = {name: tuple((p.state, p.side, solved[p]) for p in found) for name, found in pieces.items()}
+    return PartSolution(case, tuple(instants), tuple(answers), pieces=made if len(instants) > 1 else {})
 
 
 @record
@@ -127,7 +128,7 @@ def _joined(find: Find, solved: Mapping[Side, Answered], units: dict[str, str], 
     if getattr(what, "at", None) is not None:
         return replace(pieces[0], find=find)
     vector = any(piece.kind == "vector" for piece in pieces)
-    parts = tuple(_combined(what, solved, i, last.instant.scene.ledger) for i in range(2 if vector else 1))
+    parts = tuple(combined(what, solved, i, last.instant.scene.ledger) for i in range(2 if vector else 1))
     setup = last.instant.setup
     written = find.found.unit or units.get(find.name)
     unit = parse_unit(written) if written else setup.unit_for(dimension_of(what, setup.lookup))
@@ -137,8 +138,10 @@ def _joined(find: Find, solved: Mapping[Side, Answered], units: dict[str, str], 
     return Answered(find.name, "vector" if vector else "number", unit, values, plain, "", find)
 
 
-def _combined(what: Side, solved: Mapping[Side, Answered], index: int, ledger: Ledger) -> sp.Expr:
-    """The arithmetic of a find over solved pieces. `index`: the part of vectors, 0 for x."""
+def combined(what: Side, solved: Mapping[Side, Answered], index: int, ledger: Ledger) -> sp.Expr:
+    """The arithmetic of a find over solved pieces, by their values or else their formulas. `index`: the part of
+    vectors, 0 for x.
+    """
 
     def known(side: Side) -> Jet:
         found = solved[side]

@@ -18,7 +18,7 @@ import sympy as sp
 from planar_cli.equation.parts_of_accelerations import is_mark
 from planar_cli.errors import PlanarError
 from planar_cli.homework.paper import Expected
-from planar_cli.homework.printed_names import printed
+from planar_cli.homework.printed_names import printed_rate
 from planar_cli.problem.expression import Binary, Name, Negate
 from planar_cli.problem.scene import Problem
 from planar_cli.problem.walk import walk
@@ -165,7 +165,7 @@ def without_part(equations: Equations, mark: str, feedback: str, of_one: Callabl
     if len(rates) < 2:
         return
     for rate in sorted(rates, key=lambda s: s.name):
-        said = of_one(printed(rate.name.partition("__")[0]), equations.turns(rate))
+        said = of_one(printed_rate(rate.name), equations.turns(rate))
         left = _without_rate(equations, symbol, rate)
         if symbol in _inside(_formulas(left)):
             yield Model(said, left)
