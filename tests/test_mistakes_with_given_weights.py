@@ -58,3 +58,20 @@ def test_the_weight_for_the_mass(homework: Homework, typed: str) -> None:
     one = graded(homework, "hoist.alpha", typed)
     assert one.mistakes == ("mass-for-weight",)
     assert one.feedback == "the weight stands where the mass W/g belongs"
+
+
+@pytest.mark.parametrize(
+    ("find", "typed", "letter"),
+    [
+        # (R W_A - M)/(W k²/g + W_A R²): the weight of A in place of its mass, that of the drum divided by g.
+        ("alpha", "0.9810 rad/s^2", "m_A"),
+        # (R W_A - M)/(W k² + W_A R²/g).
+        ("alpha", "0.7780 rad/s^2", "m_drum"),
+        # W_A (1 - R α/g) with that α.
+        ("T_A", "7.300 lbf", "m_A"),
+    ],
+)
+def test_the_weight_for_the_mass_of_one_body(homework: Homework, find: str, typed: str, letter: str) -> None:
+    one = graded(homework, f"hoist.{find}", typed)
+    assert one.mistakes == ("mass-for-weight",)
+    assert one.feedback == f"the weight stands where the mass {letter} = W/g belongs"

@@ -61,7 +61,7 @@ class Replay:
         for solver in self.solvers(frozenset(fixed or {})):
             first = [float(before.number(s)[0]) for s in solver.needs]
             there = [float(before.number(u)[0]) for u in solver.unknowns]
-            sense = 0.0 if solver.linear else self._sense(solver, first, there, start or {})
+            sense = self._sense(solver, first, there, start or {})
             known = [run.number(s) for s in solver.needs]
             found = solver(known, np.array([np.full(count, x) for x in there]), first, sense)
             for unknown, numbers in zip(solver.unknowns, found, strict=True):
@@ -74,20 +74,22 @@ class Replay:
     def _sense(
         self, solver: Solver, first: Sequence[float], there: Sequence[float], start: Mapping[sp.Symbol, float]
     ) -> float:
-        """The branch of a step. One that was changed has its larger root where the unchanged one has; where that cannot
-        be told, any root.
+        """The branch of a step. One that was changed has its larger root where the unchanged one has, and no root where
+        that is beyond all bounds, as the way of a block without the spring that stops it; where that cannot be told,
+        any root.
         """
         key = solver, (*first, *there)
         if key not in self._senses:
             right = next((s for s in self._unchanged._solvers if s.unknowns == solver.unknowns), None)
             if right is None or right is solver:
-                found = solver.sense(first, there)
-            elif solver.second is None or right.second is None:
+                found = 0.0 if solver.linear else solver.sense(first, there)
+            elif right.second is None or (solver.second is None and not solver.linear):
                 found = 0.0
             else:
                 base = self._unchanged._at({**self._unchanged.equations.value, **start})
                 known = [float(base.number(s)[0]) for s in right.needs]
-                found = right.sense(known, there) * right.leading(known) * solver.leading(first)
+                of_larger = right.sense(known, there) * right.leading(known)
+                found = of_larger * (solver.leading(first) or right.leading(known))
             self._senses[key] = found
         return self._senses[key]
 

@@ -79,7 +79,7 @@ class Solver:
         """
         count = start.shape[1]
         if self.linear:
-            return self._newton(known, start, np.zeros_like(start), 0.0, 1)
+            return self._newton(known, start, np.zeros_like(start), sense, 1)
         if self._second is not None and sense:
             with np.errstate(all="ignore"):
                 a, b, c = (np.broadcast_to(real(x), count) for x in self._second(*known))
@@ -121,9 +121,7 @@ class Solver:
             found = found - step
             if np.all(~np.isfinite(step) | (np.abs(step) <= CLOSE * np.maximum(np.abs(found), 1e-30))):
                 break
-        if rounds == 1:
-            return found
-        lost = np.abs(step) > FOUND * np.maximum(np.abs(found), TINY)
+        lost = (np.abs(step) > FOUND * np.maximum(np.abs(found), TINY)) & (rounds > 1)
         if sense:
             with np.errstate(all="ignore"):
                 lost |= np.sign(np.linalg.det(np.where(np.isfinite(slopes), slopes, 0.0))) == -sense
