@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import math
+from pathlib import Path
+
 import pytest
 from homework_made import graded, homework_of, set_of
 
@@ -33,6 +36,8 @@ def homework(tmp_path_factory: pytest.TempPathFactory) -> Homework:
     ("typed", "said"),
     [
         ("0.3394 m/s", "k was put in with the number of kN/m, without its power of ten"),
+        # Ten times the stiffness, or a tenth of the mass: v √10.
+        ("33.94 m/s", "a given value was put in off by a power of ten"),
         # The same as a slip at the end: nobody knows where it was made.
         ("10730 m/s", "the number is off by a power of ten"),
     ],
@@ -41,3 +46,31 @@ def test_a_prefix_is_lost(homework: Homework, typed: str, said: str) -> None:
     one = graded(homework, "gun.v", typed)
     assert (one.verdict, one.mistakes) == ("wrong", ("power-of-ten",))
     assert said in one.feedback
+
+
+THROW = """
+plane: vertical
+given: {m: 3 kg, F: 80 N, d: 0.4 m}
+points: {P: [0, 0]}
+bodies: {crate: {particle: P, mass: m}}
+joints:
+  - guide: {point: P, along: 0 deg, mu: 0.2}
+loads:
+  - force: {body: crate, magnitude: F, angle: 0 deg}
+states: {1: [at rest], 2: [x(crate) = d]}
+find: {v: v(crate).mag @ 2}
+"""
+# By hand: v = √(2 d (F/m - 0.2 g)).
+
+
+def test_a_value_is_off_by_ten(tmp_path: Path) -> None:
+    homework = homework_of(set_of(tmp_path, crate=THROW))
+    # A tenth of the mass gives what ten times the force does.
+    for d, m, said in (
+        (0.4, 0.3, "a given value was put in off by a power of ten"),
+        (4.0, 3, "d was put in ten times too large"),
+    ):
+        v = math.sqrt(2 * d * (80 / m - 0.2 * 9.81))
+        one = graded(homework, "crate.v", f"{v:.4g} m/s")
+        assert one.mistakes == ("power-of-ten",)
+        assert one.feedback == f"{said}: look at its unit and its decimal point"

@@ -21,6 +21,8 @@ LARGEST_WHOLE = 1e15
 """Beyond it not all digits of a number are certain."""
 POWER_OF_TEN, POWERS = "power-of-ten", (-3, -2, -1, 1, 2, 3)
 OFF_BY_TEN = "the number is off by a power of ten: look at prefixes such as k and m, and at the decimal point"
+LOOK = "look at its unit and its decimal point"
+"""How a value that is off by a power of ten is told, whichever it is."""
 AT_PLACES = 1e-7
 """Relative: what equations that are solved in numbers come to may be off by this."""
 
@@ -62,9 +64,14 @@ def named_formula(one: Graded, expected: Expected, text: str) -> Graded:
 
 
 def _told(one: Graded, fits: Sequence[Mistaken]) -> Graded:
+    # A value that is so small that it drops out was rather left out.
+    fits = [m for m in fits if not m.feedback.endswith(LOOK)] or fits
     # Mistakes that come to the same number by the same words are one.
     names = tuple(dict.fromkeys(m.name for m in fits))
     feedback = fits[0].feedback if len(names) == 1 else ""
+    if feedback.endswith(LOOK) and len({m.feedback for m in fits}) > 1:
+        # Ten times the mass, or a tenth of the stiffness.
+        feedback = f"a given value was put in off by a power of ten: {LOOK}"
     return replace(one, mistakes=names, feedback=feedback)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from bisect import bisect_left, insort
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 
@@ -10,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from planar_cli.homework.mistakes.base import NOT_CARRIED_OUT, Mistake
+from planar_cli.homework.named_mistakes import POWER_OF_TEN, POWERS
 from planar_cli.homework.paper import Expected, Mistaken
 from planar_cli.homework.worked_problem import Carried, WorkedProblem, models_of
 from planar_cli.registry import members
@@ -46,9 +48,11 @@ def with_mistakes(
                     continue
                 i, numbers = index[one.name], run.asked(part, one)
                 changed = _apart(numbers, fit[one.name]) & np.isfinite(fit[one.name]).all(0)
-                for k, mistaken, clearly in _wrong(numbers, [paper[i] for paper in papers]):
-                    if changed[k]:
-                        (found if clearly else nearly)[k][i].setdefault((name, model.model.feedback, mistaken))
+                if name == POWER_OF_TEN:
+                    # Where the answer is off by a power of ten too, nobody knows where that came in: the slip says so.
+                    changed &= ~_off_by_ten(numbers, fit[one.name])
+                for k, mistaken, clearly in _wrong(numbers, [paper[i] for paper in papers], changed):
+                    (found if clearly else nearly)[k][i].setdefault((name, model.model.feedback, mistaken))
         except NOT_CARRIED_OUT:
             continue
     for name, kind in members("homework.mistakes").items():
@@ -69,14 +73,15 @@ def with_mistakes(
 
 
 def _add_slips(found: Found, right: Expected, name: str, mistake: Mistake) -> None:
-    """What a step of the solution gives is more to the point than a slip at its end; but that the same mistake was made
-    in a certain step is not said where at the end it gives that number too.
-    """
+    """What a step of the solution gives is more to the point than a slip at its end."""
+    known = sorted(m[2] for m in found if len(m[2]) == len(right.values))
     for feedback, slip in mistake.slips(right):
-        same = _same_as(slip, found)
-        if all(other == name for other, _, _ in same):
-            for one in same:
-                del found[one]
+        least = SAME * math.hypot(*slip)
+        near = bisect_left(known, (slip[0] - least,))
+        while near < len(known) and known[near][0] <= slip[0] + least and math.dist(slip, known[near]) > least:
+            near += 1
+        if near == len(known) or known[near][0] > slip[0] + least:
+            insort(known, slip)
             _add(found, right, name, feedback, slip)
 
 
@@ -111,20 +116,21 @@ def _apart(numbers: Sequence[Numbers], others: Numbers) -> NDArray[np.bool_]:
     return apart
 
 
-def _same_as(one: Sequence[float], found: Found) -> list[tuple[str, str, tuple[float, ...]]]:
-    """What has the same numbers already."""
-    least = SAME * math.hypot(*one)
-    if len(one) == 1:
-        (number,) = one
-        return [m for m in found if len(m[2]) == 1 and abs(number - m[2][0]) <= least]
-    return [m for m in found if len(m[2]) == len(one) and math.dist(one, m[2]) <= least]
+def _off_by_ten(numbers: Sequence[Numbers], others: Numbers) -> NDArray[np.bool_]:
+    """Where numbers are others with their decimal point elsewhere."""
+    off = np.zeros(others.shape[1], dtype=bool)
+    for power in POWERS:
+        off |= ~_apart(numbers, others * 10.0**power)
+    return off
 
 
-def _wrong(numbers: Sequence[Numbers], right: Sequence[Expected]) -> Iterator[tuple[int, tuple[float, ...], bool]]:
+def _wrong(
+    numbers: Sequence[Numbers], right: Sequence[Expected], where: NDArray[np.bool_]
+) -> Iterator[tuple[int, tuple[float, ...], bool]]:
     """Where a mistake gives another number than the right one, with it, and whether it is clearly another; `right`: by
     variant. The right one with the other sign is none.
     """
-    if not right or any(len(e.values) != len(numbers) for e in right):
+    if not where.any() or any(len(e.values) != len(numbers) for e in right):
         return
     wrong = np.array([np.broadcast_to(n, len(right)) for n in numbers], dtype=float)
     due = np.array([e.values for e in right]).T
@@ -135,7 +141,7 @@ def _wrong(numbers: Sequence[Numbers], right: Sequence[Expected]) -> Iterator[tu
         told = np.isfinite(wrong).all(0) & (np.hypot.reduce(wrong) > NOTHING * size) & wrong.any(0)
         if len(numbers) == 1:
             told &= np.abs(wrong[0] + due[0]) > least
-        told &= off > SAME * size
+        told &= (off > SAME * size) & where
     columns, clearly = wrong.T.tolist(), (off > least).tolist()
     for k in np.flatnonzero(told).tolist():
         yield k, tuple(columns[k]), clearly[k]

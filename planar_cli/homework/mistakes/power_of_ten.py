@@ -6,14 +6,20 @@ import re
 from collections.abc import Iterable
 from typing import ClassVar, final
 
+import sympy as sp
+
 from planar_cli.base_units import factor_to_base, in_base
+from planar_cli.equation.parts_of_accelerations import is_mark
 from planar_cli.homework.mistakes.base import Mistake, Model, inputs_by_unit
-from planar_cli.homework.named_mistakes import OFF_BY_TEN, POWER_OF_TEN, POWERS
+from planar_cli.homework.named_mistakes import LOOK, OFF_BY_TEN, POWER_OF_TEN, POWERS
 from planar_cli.homework.paper import Expected
 from planar_cli.homework.printed_names import printed
 from planar_cli.problem.scene import Problem
 from planar_cli.replay.equations import Equations
-from planar_cli.units import PURE, Unit, pretty_unit
+from planar_cli.units import LENGTH, PURE, Unit, pretty_unit
+
+TEN = sp.Integer(10)
+TIMES = {1: "ten", 2: "a hundred", 3: "a thousand"}
 
 
 @final
@@ -22,7 +28,9 @@ class PowerOfTen(Mistake):
 
     In the equations
         A given value whose unit has a prefix, as kN/m or mm, has its number as one of N/m or m; one value at a time, or
-        all of one unit. Or the right number is ten, a hundred or a thousand times as large, or as small.
+        all of one unit. Or a given value is ten times as large, or as small; where it has a unit of SI, which may have
+        a prefix, also a thousand times, and a length a hundred times. Or the right number is ten, a hundred or a
+        thousand times as large, or as small.
     """
 
     kind: ClassVar[str] = POWER_OF_TEN
@@ -36,6 +44,14 @@ class PowerOfTen(Mistake):
             if len(symbols) > 1:
                 said = f"what is given in {told} was put in with its numbers, without the power of ten"
                 yield Model(said, equations, {s: s / factor for s in symbols})
+        for symbol in equations.inputs.values():
+            given = equations.units.get(symbol)
+            if given is None or given.angle or is_mark(symbol) or symbol == equations.inputs.get("g"):
+                continue
+            for power in _powers(given, problem.us):
+                times = TIMES[abs(power)]
+                said = f"{printed(symbol.name)} was put in {times} times too {'large' if power > 0 else 'small'}"
+                yield Model(f"{said}: {LOOK}", equations, {symbol: symbol * TEN**power})
 
     def slips(self, expected: Expected) -> Iterable[tuple[str, tuple[float, ...]]]:
         for power in POWERS:
@@ -48,3 +64,12 @@ def _has_prefix(unit: Unit, us: bool) -> bool:
         return False
     factor = factor_to_base(unit, us)
     return re.fullmatch("10+", str(factor.numerator * factor.denominator)) is not None
+
+
+def _powers(unit: Unit, us: bool) -> Iterable[int]:
+    """The powers of ten by which a value of this unit may be off, but for that of its prefix."""
+    if unit.dimension == PURE or us:
+        return (-1, 1)
+    powers = (-3, -2, -1, 1, 2, 3) if unit.dimension == LENGTH else (-3, -1, 1, 3)
+    factor = factor_to_base(unit, us)
+    return (p for p in powers if TEN**p * factor != 1)
