@@ -20,7 +20,6 @@ from planar_cli.problem.check_loads import (
 from planar_cli.problem.check_names import distinct_names, members_found, points_found, reserved_names
 from planar_cli.problem.check_physics import (
     coefficients,
-    magnitudes_are_not_negative,
     masses_come_from_somewhere,
     members_act,
     particles_move,
@@ -28,8 +27,8 @@ from planar_cli.problem.check_physics import (
     places_on_surfaces,
     plane_is_given,
     points_held_are_carried,
-    sizes_are_positive,
 )
+from planar_cli.problem.check_sizes import magnitudes_are_not_negative, sizes_are_positive
 from planar_cli.problem.check_times import (
     blows_have_spans,
     finds_say_when,

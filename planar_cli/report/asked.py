@@ -21,21 +21,27 @@ from planar_cli.problem.scene import ALL
 from planar_cli.report.asked_energy import kinetic_energy
 from planar_cli.report.asked_letters import closed_letter, is_second_rate, is_solved
 from planar_cli.report.asked_places import PlaceTelling, place_asked, place_name
-from planar_cli.report.axes_asked import along_radius, axis_of, dimension_of, noted, rational, without, without_vector
+from planar_cli.report.axes_asked import (
+    along_radius,
+    axis_of,
+    dimension_of,
+    noted,
+    part_along,
+    rational,
+    without,
+    without_vector,
+)
 from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Value, line
 from planar_cli.report.by_centre import asked_by_centre
 from planar_cli.report.clean import is_clean
 from planar_cli.report.component_sums import components_told, sliding_told, turned_with
 from planar_cli.report.curvature import radius_asked
-from planar_cli.report.enough_figures import figures_of
 from planar_cli.report.geometry import coordinate, factor
 from planar_cli.report.given_vectors import GIVEN, is_given, letters_given, says_all, size_of
 from planar_cli.report.names import index_of, plain_name
 from planar_cli.report.needed_friction import limit_of
-from planar_cli.report.numbers import significant
 from planar_cli.report.on_path import LONGEST, PathTelling, vector_of
 from planar_cli.report.only_reaction import size_of_only
-from planar_cli.report.ordering import NUMBER
 from planar_cli.report.polar_slides import SlideTelling
 from planar_cli.report.rates_in_turn import rate_in_turn
 from planar_cli.report.relative_motion import RelativeTelling
@@ -347,7 +353,7 @@ class AskedTelling:
             chain = (line(Name(answer.name)), *((across,) if across else ()), *values)
             yield Equation(chain, None, note=line(told) if told else ())
             return
-        numbers = [self.phrases.of_dimension(v, dimension_of(q)) for v in vector]
+        numbers = tuple(self.phrases.of_dimension(v, dimension_of(q)) for v in vector)
         own = [] if plain_name(answer.name) == plain_name(name) else [line(Name(answer.name))]
         if q.parts[-1].kind == "mag":
             size = self.slides.size(name) or size_of(vector, dimension_of(q), self.phrases)
@@ -357,21 +363,7 @@ class AskedTelling:
         if own and (way := self.slides.part(name, axis)):
             yield Equation((*own, way, *values))
             return
-        counted = [*(n.number for n in numbers), *axis]
-        figures = figures_of(counted, lambda x: x[0] * x[2] + x[1] * x[3], self.phrases.figures)
-        symbols = [sp.Symbol(f"{NUMBER}{i}", real=True) for i in ("0", "1", "cos0", "cos1")]
-        texts, names = {s: significant(x, figures) for s, x in zip(symbols, counted, strict=True)}, symbols[:2]
-        cosines = [s for s in texts if s not in names]
-        told = {"x": "along x", "y": "along y"}.get(q.parts[-1].kind, self.phrases.arrow(*map(rational, axis)))
-        if not own and 0 in vector and any(abs(c) == 1 for c in axis):
-            # The vector that stands before has no other part.
-            return
-        sides: list[Any] = [*own] or [line(Name(name), f" {told}")]
-        if all(abs(c) not in (0, 1) for c in axis):
-            parts = [sp.Mul(c, n, evaluate=False) for c, n in zip(cosines, names, strict=True)]
-            sides.append(Math(sp.Add(*parts, evaluate=False), texts))
-        note = line("the component of ", Name(name), f" {told}") if own else ()
-        yield Equation((*sides, *values), None, note=note)
+        yield from part_along(name, own, numbers, axis, q.parts[-1].kind, values, self.phrases)
 
     def _across(self, q: Quantity) -> Line:
         """v²/ρ, where that is asked of a particle on a fixed curve; else nothing."""

@@ -14,8 +14,11 @@ from planar_cli.equation.quantities import Quantities
 from planar_cli.equation.system import System
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.geometry import Vec
-from planar_cli.report.blocks import Block, Equation, Inline, Line, Text, Value, line
+from planar_cli.report.blocks import Block, Equation, Inline, Line, Math, Name, Text, Value, line
 from planar_cli.report.counted import as_vector
+from planar_cli.report.enough_figures import figures_of
+from planar_cli.report.numbers import significant
+from planar_cli.report.ordering import NUMBER
 from planar_cli.report.words import Phrases
 from planar_cli.solve.solution import Found
 from planar_cli.units import ACCELERATION, VELOCITY, Dimension
@@ -92,3 +95,32 @@ def along_radius(answer: Found, quantities: Quantities, phrases: Phrases) -> Lin
     size, way = simplified(sp.sqrt(radius.dot(radius))), radius if what.parts[0].kind == "r" else radius.turned()
     told = sp.Add(*(simplified(w / size) * p for w, p in zip((way.x, way.y), parts, strict=True)))
     return line(phrases.math(told)) if all(p.is_Symbol for p in parts) and not longer(told, LONGEST) else ()
+
+
+def part_along(
+    name: str,
+    own: Sequence[Line],
+    vector: tuple[Value, ...],
+    axis: Sequence[Decimal],
+    kind: str,
+    values: Any,
+    p: Phrases,
+) -> Iterator[Block]:
+    """The component of a vector along an axis, by the numbers of both. `own`: the name of the answer, where that is
+    another than the one of the vector.
+    """
+    counted = [*(v.number for v in vector), *axis]
+    figures = figures_of(counted, lambda x: x[0] * x[2] + x[1] * x[3], p.figures)
+    symbols = [sp.Symbol(f"{NUMBER}{i}", real=True) for i in ("0", "1", "cos0", "cos1")]
+    texts, names = {s: significant(x, figures) for s, x in zip(symbols, counted, strict=True)}, symbols[:2]
+    cosines = [s for s in texts if s not in names]
+    told = {"x": "along x", "y": "along y"}.get(kind, p.arrow(*map(rational, axis)))
+    if not own and 0 in [v.number for v in vector] and any(abs(c) == 1 for c in axis):
+        # The vector that stands before has no other part.
+        return
+    sides: list[Any] = [*own] or [line(Name(name), f" {told}")]
+    if all(abs(c) not in (0, 1) for c in axis):
+        parts = [sp.Mul(c, n, evaluate=False) for c, n in zip(cosines, names, strict=True)]
+        sides.append(Math(sp.Add(*parts, evaluate=False), texts))
+    note = line("the component of ", Name(name), f" {told}") if own else ()
+    yield Equation((*sides, *values), None, note=note)

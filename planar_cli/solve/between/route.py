@@ -21,6 +21,7 @@ from planar_cli.solve.between.angles_between import by_angles, by_the_angle_betw
 from planar_cli.solve.between.at_hand import at_hand
 from planar_cli.solve.between.by_given import beginnings, by_given, by_its_name, with_constants
 from planar_cli.solve.between.by_numbers import ByNumbers
+from planar_cli.solve.between.by_squares import by_squares
 from planar_cli.solve.between.by_targets import by_targets
 from planar_cli.solve.between.chain import Step
 from planar_cli.solve.between.cheapest import cheapest
@@ -31,9 +32,8 @@ from planar_cli.solve.between.inside_integrals import inside_integrals, outside_
 from planar_cli.solve.between.linked import independent
 from planar_cli.solve.between.one_by_one import one_by_one, without_factors
 from planar_cli.solve.between.quarters import at_quarters, is_harmonic
-from planar_cli.solve.between.substitution import linear_step, same_as, square
+from planar_cli.solve.between.substitution import linear_step, same_as
 from planar_cli.solve.between.trace import Result
-from planar_cli.solve.instant.elimination import Pending, alone, subtracted
 from planar_cli.solve.multibody.linear import determinant, solve
 from planar_cli.solve.regimes.costs import HIDDEN
 from planar_cli.solve.regimes.equations import DATA, Equation
@@ -309,7 +309,9 @@ class Router:
             results.append(self._by_phase(derivation, pool[0]) or self._single(pool[0], left[0]))
             results += [Result(x, formula, self.value(x)) for x, formula in reversed(back)]
         else:
-            results = self._by_squares(pool, left) or by_angles(pool, left, self.value, self._single)
+            results = by_squares(pool, left, self.value, self._single) or by_angles(
+                pool, left, self.value, self._single
+            )
             results = results or [Result(x, None, self.value(x)) for x in derivation.unknowns]
         datum = len(derivation.equations) == 1 and derivation.equations[0].kind in DATA and not derivation.needs
         return DerivedStep(derivation, tuple(results), datum and not _is_high(derivation))
@@ -325,29 +327,6 @@ class Router:
     def _in_place(self, e: Equation, residual: sp.Expr) -> sp.Expr:
         """An equation of a blow with the right angles of the place where it happens."""
         return at_right_angles(residual, self._level) if e.kind == "blow" else residual
-
-    def _by_squares(self, pool: list[sp.Expr], left: list[sp.Symbol]) -> list[Result]:
-        """Two equations from which the square of one unknown goes; empty: it does not."""
-        if not len(pool) == len(left) == 2:
-            return []
-        made = subtracted([Pending(r, ()) for r in pool], left, self.value, True)
-        index = None if made is None else alone(made, left)
-        if made is None or index is None:
-            return self._square_put_in(pool, left)
-        x, y = sorted(left, key=lambda s: s not in made[index].residual.free_symbols)
-        return [self._single(made[index].residual, x), self._single(made[1 - index].residual, y)]
-
-    def _square_put_in(self, pool: list[sp.Expr], left: list[sp.Symbol]) -> list[Result]:
-        """The same where one unknown enters as its square alone: that is put into the other equation."""
-        for x, (first, second) in itertools.product(left, (pool, pool[::-1])):
-            own, other = square(first, x), square(second, x)
-            if own is None or other is None or self.value.is_zero(own[1]):
-                continue
-            (y,) = (s for s in left if s != x)
-            found = self._single(simplified(other[0] - other[1] * own[0] / own[1]), y)
-            if found.formula is not None:
-                return [found, self._single(first, x)]
-        return []
 
     def _by_phase(self, derivation: Derivation, residual: sp.Expr) -> Result | None:
         """The one unknown of a simple harmonic motion a quarter or half a period after its beginning."""
