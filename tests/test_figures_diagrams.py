@@ -253,3 +253,15 @@ def test_what_has_a_shorter_name_on_the_page_is_told_against_its_arrow() -> None
     """The force of the rod is asked for in one case alone, and has one name in both."""
     told = notes("collar-drawn-up-from-its-rod-by-a-spring")
     assert told == ["found: N downward", "found: N downward, N*mu to the left"]
+
+
+def test_lines_that_meet_far_away_tell_where_they_go() -> None:
+    """The bodies stay large: only the beginnings are drawn, of two in one line the nearer one."""
+    group = next(f for f in diagrams("roller-with-a-drag-bar") if f.words.endswith("roller, bar"))
+    free, kinetic = group.panels
+    ways = [m for m in free.marks if isinstance(m, Polyline) and m.style == "way"]
+    assert [m.at for m in free.marks if isinstance(m, Tag) and m.words == line("to ", Name("K"))] == [
+        m.places[1] for m in ways
+    ]
+    assert len(ways) == 2
+    assert not any(m.style == "way" for m in kinetic.marks if isinstance(m, Polyline))

@@ -9,6 +9,7 @@ from dataclasses import replace
 from itertools import takewhile
 
 from planar_cli.figures.drawn import Drawn
+from planar_cli.figures.rings import ends_of, extent_of, way_of
 from planar_cli.figures.shapes import moved
 from planar_cli.records import record
 from planar_cli.report.blocks import Block, Forces, Heading, Name, Paragraph, Text, Way, line
@@ -19,6 +20,8 @@ ON = 1e-6
 """What passes a place at this part of the distance to it passes through it."""
 NEAR = 1.0
 """A point on no line of action is drawn where it is not farther from what is drawn than this part of its size."""
+FAR, STUB = 0.9, 0.4
+"""Of lines of action that meet farther away only the beginnings are drawn, so long in the same parts."""
 _TOTAL = re.compile(r"the total reaction at (\w+)")
 
 
@@ -45,7 +48,12 @@ def with_centres(drawn: Drawn, row: Forces, below: Sequence[Block], panels: Sequ
             continue
         own = centre.name not in drawn.scene.points
         lines = [list(_lines(panel, centre, at)) if own else [] for panel in panels]
-        if any(lines) or any(_is_near(at, [s for m in p.marks for s in spots_of(m)]) for p in panels):
+        beyond = max(_beyond(panel, at) for panel in panels)
+        if any(lines) and beyond > FAR:
+            made = [
+                replace(p, marks=(*p.marks, *_towards(p, centre.name, met))) for p, met in zip(made, lines, strict=True)
+            ]
+        elif any(lines) or beyond <= NEAR:
             made = [_with_point(p, centre.name, at, met) for p, met in zip(made, lines, strict=True)]
     return made
 
@@ -67,7 +75,7 @@ def _told(block: Paragraph) -> Iterator[MomentCentre]:
     yield from (MomentCentre(name, way, totals) for name, way in told_centres([block]))
 
 
-def _lines(panel: Panel, centre: MomentCentre, at: Spot) -> Iterator[Mark]:
+def _lines(panel: Panel, centre: MomentCentre, at: Spot) -> Iterator[Polyline]:
     """The lines of action, from where forces act to the point in which they meet."""
     passing = [m.at for m in panel.marks if isinstance(m, Arrow) and _passes(m, at)]
     named = {line(Name(name)) for name in centre.through}
@@ -88,8 +96,19 @@ def _passes(arrow: Arrow, at: Spot) -> bool:
     return far > ON and any(math.dist(end, at) < ON * far for end in ends)
 
 
-def _is_near(at: Spot, spots: Sequence[Spot]) -> bool:
-    xs, ys = zip(*spots, strict=True)
-    size: float = max(max(xs) - min(xs), max(ys) - min(ys))
-    beyond: float = max(min(xs) - at[0], at[0] - max(xs), min(ys) - at[1], at[1] - max(ys))
-    return beyond <= NEAR * size
+def _towards(panel: Panel, name: str, lines: Sequence[Polyline]) -> Iterator[Mark]:
+    """The beginnings of lines that meet far away, each with where it goes: what is drawn would be small beside all."""
+    reach = STUB * extent_of([s for m in panel.marks for s in spots_of(m)])
+    # Of those that lie in one line the one that comes nearest.
+    last = {round(way_of(*m.places), 6): m.places for m in sorted(lines, key=lambda m: -math.dist(*m.places))}
+    for start, end in last.values():
+        tip = moved(start, way_of(start, end), min(reach, math.dist(start, end)))
+        yield Polyline((start, tip), "way")
+        yield Tag(tip, line("to ", Name(name)))
+
+
+def _beyond(panel: Panel, at: Spot) -> float:
+    """How far a place is outside what is drawn, in parts of its size."""
+    spots = [s for m in panel.marks for s in spots_of(m)]
+    (left, right), (low, high) = ends_of(x for x, _ in spots), ends_of(y for _, y in spots)
+    return max(left - at[0], at[0] - right, low - at[1], at[1] - high) / (extent_of(spots) or 1.0)
