@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from conftest import ROOT
 from printed import read_number
-from worked import page_of_file, worked
+from worked import page_of_file, page_of_text, worked
 
 from planar_cli.formats.terminal import Terminal
 from planar_cli.homework.checking import read, solve_and_compare
@@ -127,3 +127,24 @@ def test_there_is_no_distribution_where_bounds_exclude_each_other() -> None:
 def test_a_relation_of_a_motion_that_is_read_off_has_both_sides() -> None:
     """The cord pulls past the axis of the post on which it winds up: the angular momentum halves."""
     assert "conserved: -0.3000 kg·m²/s ≠ -0.6 kg·m²/s" in page_of_file("puck-whose-string-winds-up")
+
+
+ROD_LET_GO = """\
+title: Rod let go on a rough floor
+plane: vertical
+given: {m: 10 kg, l: 2 m, theta: 60 deg, mu: 0.2}
+points: {A: [0, 0], B: {from: A, distance: l, angle: theta}}
+surfaces: {floor: {through: A, angle: 0 deg}}
+bodies: {rod: {rod: [A, B], mass: m}}
+joints:
+  - contact: {between: [rod, floor], at: A, mu: mu}
+instant: [at rest]
+find: {N: N(A), alpha: alpha(rod)}
+"""
+
+
+def test_a_limit_has_the_normal_force_of_its_own_case(tmp_path: Path) -> None:
+    """N = 79.71 N while it would not slip, 65.83 N as it slips."""
+    page = page_of_text(tmp_path, ROD_LET_GO)
+    assert "= 31.86 N > μ N = 0.2 · 79.71 = 15.94 N" in page
+    assert "N = 65.83 N" in page

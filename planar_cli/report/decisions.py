@@ -7,8 +7,8 @@ x = P y/N_C = 235.4 · 0.5/588.6 = 0.2 m < b/2 = 0.3 m                  it slips
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import replace
+from collections.abc import Iterator, Mapping
+from dataclasses import field, replace
 from decimal import Decimal
 
 import sympy as sp
@@ -40,8 +40,8 @@ class Needed:
 
     `size`, `limit`: numbers, SI; `formula`: of the limit; `own`: of the size, by what is known; None: nothing short.
     `press`: of the couple of a normal force, how far beside the middle that acts (a letter), and the force.
-    `working`: of a case that is rejected, where its own accelerations tell the size; `presses`: the normal force on
-    which the limit of that case rests.
+    `pushes`: the forces on which the limit rests, as they are in this case; `working`: of a case that is rejected,
+    where its own accelerations tell the size; `presses`: the normal force on which the limit of that case rests.
     """
 
     symbol: sp.Symbol
@@ -53,6 +53,7 @@ class Needed:
     press: tuple[sp.Symbol, sp.Symbol, Decimal] | None = None
     working: Working | None = None
     presses: Presses | None = None
+    pushes: Mapping[sp.Symbol, Decimal] = field(default_factory=dict)
 
     def wants(self, sign: str, phrases: Phrases) -> Line:
         """The same as a sentence, what its size rests on before it."""
@@ -72,7 +73,8 @@ class Needed:
             return self._offset(*self.press, sign, phrases)
         shown, most = self.shown(phrases)
         size = line("|", Math(self.symbol), "|", *self.worked(phrases), " = ", shown)
-        numbers = [piece for side in phrases.substituted(self.formula, most) for piece in (" = ", side)]
+        there = replace(phrases, value=phrases.value.extended(self.pushes))
+        numbers = [piece for side in there.substituted(self.formula, most) for piece in (" = ", side)]
         return line(*size, sign, phrases.math(self.formula), *numbers, " = ", most)
 
     def worked(self, phrases: Phrases) -> Line:
@@ -113,7 +115,9 @@ def needed(trial: Trial, test: Test) -> Needed | None:
     press = None
     if normal is not None and force is not None and force > 0 and not test.constant:
         press = offset_letter(system, push), system.symbols[normal.name], force
-    return Needed(system.symbols[name], push.unit, abs(values[name] or ZERO), limit, formula, None, press)
+    forces = {system.symbols[n]: v for n, v in values.items() if n != name and v is not None}
+    size = abs(values[name] or ZERO)
+    return Needed(system.symbols[name], push.unit, size, limit, formula, press=press, pushes=forces)
 
 
 def worked_out(found: Needed, trial: Trial, instant: InstantSolution, phrases: Phrases) -> Needed:
