@@ -265,3 +265,12 @@ def test_lines_that_meet_far_away_tell_where_they_go() -> None:
     ]
     assert len(ways) == 2
     assert not any(m.style == "way" for m in kinetic.marks if isinstance(m, Polyline))
+
+
+def test_senses_that_rest_on_a_restitution_or_on_another_case_are_told() -> None:
+    """(e - 3) v is negative for every e from 0 to 1; of an impulse that only the first case finds the figure of the
+    second says the same, and is not drawn again; what slants is told by its quadrant.
+    """
+    assert notes("level-rod-caught-by-an-edge") == ["found: m*v_Gy__2 downward, I*omega__2 clockwise"]
+    assert notes("wheel-over-a-kerb") == ["found: J_K_x to the left"]
+    assert "found: F_P up to the left" in notes("package-on-the-end-drum-of-a-conveyor")[0]

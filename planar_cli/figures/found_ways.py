@@ -14,9 +14,11 @@ from decimal import Decimal
 
 from sympy import Add, Expr, Integer, Rational, Symbol
 
+from planar_cli.equation.arrows import vector_arrow
 from planar_cli.equation.exact import Valuation
 from planar_cli.figures.written_out import formulas_of, sign_of, states_against, written_out
 from planar_cli.problem.expression import Quantity
+from planar_cli.problem.scene import Problem
 from planar_cli.report.blocks import Forces, Inline, Line, Math, line
 from planar_cli.report.marks import Arrow, Mark, Panel, Turn
 from planar_cli.report.names import plain_name
@@ -26,18 +28,19 @@ from planar_cli.solve.instant.worked import unknowns_of
 from planar_cli.solve.solution import InstantSolution
 from planar_cli.solve.solved_problem import PartSolution, Solution
 
-EIGHTH = math.pi / 4
-OPPOSITE = (
-    "to the left",
-    "down to the left",
-    "downward",
-    "down to the right",
-    "to the right",
-    "up to the right",
-    "upward",
-    "up to the left",
-)
-"""Of arrows by eighths of a turn, counterclockwise from the x axis."""
+OPPOSITE = {
+    "→": "to the left",
+    "↗": "down to the left",
+    "↑": "downward",
+    "↖": "down to the right",
+    "←": "to the right",
+    "↙": "up to the right",
+    "↓": "upward",
+    "↘": "up to the left",
+}
+"""Of arrows, as lists of forces have them: what slants stands for its whole quadrant."""
+FINE = 9
+"""Decimals of a sine; what is smaller is nought."""
 NUMBER = re.compile(r"-?\d+(\.\d+)?")
 GIVEN = "given"
 """The kind of a relation of a motion that is a datum of the file."""
@@ -116,7 +119,8 @@ def _data(row: Forces, solution: Solution) -> set[Symbol]:
 def _opposite(mark: Arrow | Turn) -> str:
     if isinstance(mark, Turn):
         return rotation_words(-mark.sense)
-    return OPPOSITE[round(mark.angle / EIGHTH) % len(OPPOSITE)]
+    x, y = (Decimal(round(part, FINE)) for part in (math.cos(mark.angle), math.sin(mark.angle)))
+    return OPPOSITE[vector_arrow(x, y)]
 
 
 def _is_against(words: Line, row: Forces, solution: Solution) -> bool:
@@ -142,11 +146,14 @@ def _numbers(size: Expr, row: Forces, part: PartSolution, solution: Solution) ->
     """
     if part.motion is not None:
         drawn = bool(part.motion.value.drawn)
-        for found in _of_motion(size.free_symbols, row, part, part.motion):
+        for found in _of_motion(size.free_symbols, row, part, part.motion, solution):
             numbers = Valuation({s: n for s, (_, n) in found.items() if n is not None})
             known = ChainMap(_answers(part), _solved(part.motion))
             whole = size.xreplace({s: e for s, (e, _) in found.items()})
-            yield sign_of(written_out(whole, known), part.motion.value) if drawn else numbers.known(size)
+            if drawn:
+                yield sign_of(written_out(whole, known), part.motion.value, part.motion.ledger)
+            else:
+                yield numbers.known(size)
         return
     formulas = _answers(part)
     for i in part.instants:
@@ -154,7 +161,11 @@ def _numbers(size: Expr, row: Forces, part: PartSolution, solution: Solution) ->
             size = size.xreplace(_by_other_names(size, i, solution))
             whole = written_out(size, ChainMap(formulas, dict(formulas_of(i))))
             number = i.value.known(size) or i.value.known(whole)
-            yield number if _letters(size, i).isdisjoint(i.value.drawn) else sign_of(whole, i.value)
+            yield (
+                number
+                if _letters(size, i).isdisjoint(i.value.drawn)
+                else sign_of(whole, i.value, i.instant.scene.ledger)
+            )
 
 
 def _answers(part: PartSolution) -> dict[Symbol, Expr]:
@@ -187,7 +198,7 @@ def _letters(size: Expr, instant: InstantSolution) -> set[Symbol]:
 
 
 def _of_motion(
-    letters: Collection[Symbol], row: Forces, part: PartSolution, motion: MotionTrace
+    letters: Collection[Symbol], row: Forces, part: PartSolution, motion: MotionTrace, solution: Solution
 ) -> Iterator[dict[Symbol, tuple[Expr, Decimal | None]]]:
     """Formulas and numbers on each stretch on which the scene is that of the diagram, and at each such blow."""
     data = {s: (s, motion.value.known(s)) for s in letters}
@@ -195,9 +206,29 @@ def _of_motion(
         if regime.solution.instant.scene is row.scene:
             yield {s: regime.constants.get(s) or (s, _asked(s, part) if n is None else n) for s, (_, n) in data.items()}
     for leg in motion.route.steps:
-        blows = [e.source.impact.solution for e in leg.relations if isinstance(e.source, ImpactEquation)]
-        if any(b is not None and b.instant.scene is row.scene for b in blows):
-            yield {s: (s, _of_blow(s, leg, part, motion) if n is None else n) for s, (_, n) in data.items()}
+        if (blow := next((b for b in _blows(leg) if b.instant.scene is row.scene), None)) is not None:
+            told = {s: _of_blow(s, leg, part, motion) if n is None else n for s, (_, n) in data.items()}
+            others = _as_in_other_cases(blow, solution) if None in told.values() else {}
+            yield {s: (s, motion.value.known(others.get(s, s)) if n is None else n) for s, n in told.items()}
+
+
+def _blows(leg: RouteStep) -> Iterator[InstantSolution]:
+    for e in leg.relations:
+        if isinstance(e.source, ImpactEquation) and e.source.impact.solution is not None:
+            yield e.source.impact.solution
+
+
+def _as_in_other_cases(blow: InstantSolution, solution: Solution) -> dict[Symbol, Expr]:
+    """What other cases solve of a blow with the same joints and loads: this one may have no need of an impulse."""
+    own = blow.instant.scene.problem
+    legs = (leg for p in solution.parts if p.motion is not None for leg in p.motion.route.steps)
+    others = [b for leg in legs for b in _blows(leg) if b is not blow]
+    alike = [b for b in others if _held(b.instant.scene.problem) == _held(own)]
+    return {s: e for b in alike for s, e in formulas_of(b).items()}
+
+
+def _held(problem: Problem) -> tuple[object, ...]:
+    return problem.joints, problem.loads, problem.points, problem.bodies
 
 
 def _solved(motion: MotionTrace) -> dict[Symbol, Expr]:

@@ -10,6 +10,7 @@ import sympy as sp
 
 from planar_cli.equation.bounds import certain_sign
 from planar_cli.equation.exact import Valuation
+from planar_cli.equation.ledger import Ledger
 from planar_cli.report.blocks import Forces
 from planar_cli.solve.between.trace import MotionTrace
 from planar_cli.solve.solution import InstantSolution
@@ -36,10 +37,20 @@ def written_out(expr: sp.Expr, formulas: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr
     return expr
 
 
-def sign_of(expr: sp.Expr, drawn: Valuation) -> Decimal | None:
-    """Of a size in letters, where it is the same whatever they are: angles in the quadrant in which they are drawn."""
-    sign = certain_sign(expr) or certain_sign(_in_quadrants(expr, drawn))
+def sign_of(expr: sp.Expr, drawn: Valuation, ledger: Ledger) -> Decimal | None:
+    """Of a size in letters, where it is the same whatever they are: angles in the quadrant in which they are drawn,
+    coefficients of restitution from 0 to 1.
+    """
+    sign = certain_sign(expr) or certain_sign(_in_quadrants(expr, drawn)) or certain_sign(_below_one(expr, ledger))
     return Decimal(sign) if sign else None
+
+
+def _below_one(expr: sp.Expr, ledger: Ledger) -> sp.Expr:
+    """With coefficients of restitution in a form that is between 0 and 1 whatever its letter is."""
+    bounces = {s for s in expr.free_symbols if ledger.coefficients.get(s.name) == "rebound"}
+    if not bounces:
+        return sp.S.Zero
+    return sp.together(expr.xreplace({s: 1 / (1 + sp.Dummy(positive=True)) for s in bounces}))
 
 
 def _in_quadrants(expr: sp.Expr, drawn: Valuation) -> sp.Expr:
