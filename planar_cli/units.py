@@ -78,6 +78,16 @@ class Unit:
     dimension: Dimension
     angle: bool
 
+    @property
+    def turns(self) -> bool:
+        """Is it of angles themselves, and not of their rates?"""
+        return self.angle and self.dimension == PURE
+
+    @property
+    def places(self) -> bool:
+        """Is it of lengths, or of angles?"""
+        return self.turns or self.dimension == LENGTH
+
 
 class UnitError(ValueError):
     """Not a unit of the list; `message` says what, `hint` what to write, `atom` is the part that is wrong."""

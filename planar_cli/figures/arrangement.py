@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from planar_cli.figures.arms import turned_arm
 from planar_cli.figures.belts import belt_marks, frame_marks
 from planar_cli.figures.carried import shifted
+from planar_cli.figures.deflected import angles_there, at_equilibrium, deflected, swings_alone
 from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.floors import blocks_on_faces
 from planar_cli.figures.given_motion import Found, Moving, Told, arrows_apart, given_motion_marks
@@ -92,6 +93,8 @@ def arrangement(part: PartSolution, whole: Mapping[str, tuple[Spot, ...]]) -> Pa
     moving = replace(moving, drawn=drawn) if moving is not None else None
     timed = motion is not None and states
     places = positions(drawn, motion, states) if motion and timed else positions_of_instants(drawn, part.instants)
+    swing = deflected(drawn, motion) if motion is not None and swings_alone(motion, states) else None
+    places += [swing] if swing is not None else []
     if len(places) < MORE and not timed:
         bodies = drawn.scene.bodies
         particles = [name for name, body in bodies.items() if isinstance(body.shape, Particle)]
@@ -104,6 +107,7 @@ def arrangement(part: PartSolution, whole: Mapping[str, tuple[Spot, ...]]) -> Pa
     marks = tuple(_marks(drawn, moving, whole_time, places[1:]))
     later = (*position_marks(places, motion, part.run, marks), *asked_places(places, problem))
     later = (*later, *lengths_of_ways(places, problem, later))
+    later = (*later, *(angles_there(swing, motion) if swing is not None and motion is not None else ()))
     return _panel((*marks, *on_orbits(later, part), *state_measures(places, problem)))
 
 
@@ -119,7 +123,7 @@ def _first(part: PartSolution) -> tuple[Drawn, Found | None]:
     placed = moving_in(part, "") if there is None and not states else None
     if placed is not None and placed.drawn.is_placed:
         return placed.drawn, placed
-    drawn = there or drawn
+    drawn = there or (at_equilibrium(drawn, motion) if swings_alone(motion, states) else drawn)
     return drawn, Found.of(drawn, (*(r.solution for r in motion.regimes), instant))
 
 

@@ -8,10 +8,8 @@ import math
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
-from decimal import Decimal
 from itertools import groupby
 
-from planar_cli.equation.arrows import vector_arrow
 from planar_cli.equation.bodies import BodyModel
 from planar_cli.figures.broken import NOT_TO_SCALE, broken_together
 from planar_cli.figures.drawn import Drawn
@@ -202,13 +200,17 @@ def _mark(drawn: Drawn, vector: _Vector, at: Spot, center: Spot | None, style: S
         # A spring at its own length in the position that is drawn: as the page tells it.
         if not glyph:
             return
-        turned = ARROWS.index(glyph) * math.pi / 4
-        way = (round(math.cos(turned), 9), round(math.sin(turned), 9))
-    if glyph == vector_arrow(Decimal(-way[0]), Decimal(-way[1])):
+        way = _told_way(glyph)
+    if glyph and sum(a * b for a, b in zip(way, _told_way(glyph), strict=True)) < 0:
         way = (-way[0], -way[1])
     angle = math.atan2(way[1], way[0])
     inward = _is_push(way, at, center)
     yield Arrow(at, angle, style, vector.words, 1.0, inward, ASSUMED in vector.told)
+
+
+def _told_way(glyph: str) -> Spot:
+    turned = ARROWS.index(glyph) * math.pi / 4
+    return round(math.cos(turned), 9), round(math.sin(turned), 9)
 
 
 def _distance(vector: _Vector, made: Sequence[Mark], tags: Mapping[str, Spot]) -> Iterator[Mark]:

@@ -28,7 +28,7 @@ from planar_cli.problem.scene import GROUND, Line, Problem, Round
 from planar_cli.problem.sketches import Sketch, Slide
 from planar_cli.records import record
 from planar_cli.report.blocks import Name, line
-from planar_cli.report.marks import Arc, Mark, Polyline, Spot, Symbol, Tag, spots_of
+from planar_cli.report.marks import Arc, Coil, Dashpot, Mark, Polyline, Spot, Symbol, Tag, spots_of
 from planar_cli.solve.between.trace import MotionTrace
 from planar_cli.solve.solution import InstantSolution
 
@@ -108,7 +108,7 @@ def positions(drawn: Drawn, motion: MotionTrace, states: Sequence[str]) -> list[
     """The different positions of a motion, that of the drawing first, each with the names of its states."""
     told = [(s, there) for s in states if (there := Drawn.in_state(motion, s)) is not None]
     told = [(s, drawn_beside(there, drawn.beside)) for s, there in told]
-    places = [_later((), drawn), *(_later((state,), there) for state, there in told)]
+    places = [position_of((), drawn), *(position_of((state,), there) for state, there in told)]
     return _bent(_different(drawn, places), motion)
 
 
@@ -117,7 +117,7 @@ def positions_of_instants(drawn: Drawn, instants: Sequence[InstantSolution]) -> 
     told = [(i.state, Drawn.as_in_the_file(i)) for i in instants[1:]]
     told = [(s, drawn_beside(there, drawn.beside)) for s, there in told if there.is_placed]
     own = tuple(i.state for i in instants[:1])
-    return _different(drawn, [_later(own, drawn), *(_later((state,), there) for state, there in told)])
+    return _different(drawn, [position_of(own, drawn), *(position_of((state,), there) for state, there in told)])
 
 
 def _different(drawn: Drawn, all_: Sequence[Later | None]) -> list[Later]:
@@ -149,7 +149,7 @@ def _bent(places: list[Later], motion: MotionTrace) -> list[Later]:
 
 def followed_positions(drawn: Drawn, run: Run) -> list[Later]:
     """The same of a motion that was followed in numbers alone."""
-    first = _later((), drawn)
+    first = position_of((), drawn)
     if first is None:
         return []
     found, size = [first], max((_own(drawn, n) for n in drawn.scene.bodies), default=0.0)
@@ -183,7 +183,8 @@ def _asked(run: Run, word: str, name: str, moment: Moment) -> tuple[float, ...]:
         return ()
 
 
-def _later(states: tuple[str, ...], there: Drawn) -> Later | None:
+def position_of(states: tuple[str, ...], there: Drawn) -> Later | None:
+    """Where all bodies are in some states; None: nothing tells it of any."""
     scene = there.scene
     spots = {name: spot for name, body in scene.bodies.items() if (spot := there.spot(body.center)) is not None}
     angles = {name: there.number(scene.bodies[name].theta) for name in spots}
@@ -254,15 +255,19 @@ def position_marks(
     """The ways of the bodies that move, and where they are in each position. `shown`: the first one, as it is drawn."""
     blocks = {m.at: m.angle for m in shown if isinstance(m, Symbol) and m.kind == "block"}
     yield from _ways(places, motion, run)
+    # Where something only swings to has no name.
+    named = [p for p in places if p.states or p is places[0]]
     for p in places:
         first = p is places[0]
-        seen = [n for n in p.spots if any(_moved(n, p, q) for q in places) and (first or _moved(n, places[0], p))]
+        seen = [n for n in p.spots if any(_moved(n, p, q) for q in named) and (first or _moved(n, places[0], p))]
         for name in seen if not first else ():
             angle = blocks.get(places[0].spots[name])
             yield from p.marks(name) if angle is None else [Symbol("later", p.at(name), _lies(p, name, angle))]
         if p.held is not None and places[0].held is not None and not first and not any(p.shift):
             between = [q.held for q in places[1 : places.index(p)] if q.held is not None]
-            yield from held_marks(p.held, places[0].held, between)
+            held = held_marks(p.held, places[0].held, between)
+            # How springs are where something only swings to is not of interest.
+            yield from (m for m in held if p in named or not isinstance(m, Coil | Dashpot))
         for name in _apart(p, seen, places) if p.words else ():
             yield Tag(p.at(name), line(p.words))
 

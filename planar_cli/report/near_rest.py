@@ -4,7 +4,7 @@ in the equilibrium without the terms with ω², which are of the second order.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from decimal import Decimal
 from typing import Any
@@ -22,6 +22,7 @@ from planar_cli.report.pointing import pointing
 from planar_cli.report.telling import Telling
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.oscillation_trace import NearRest
+from planar_cli.solve.between.trace import MotionTrace
 from planar_cli.solve.instant.stages import acceleration_unknowns
 from planar_cli.solve.solution import InstantSolution
 
@@ -88,20 +89,46 @@ def _put(block: Block, near: NearRest, instant: InstantSolution, phrases: Phrase
 def _turned(block: Forces, places: dict[sp.Symbol, sp.Expr], instant: InstantSolution) -> Forces:
     """Drawn by a small angle off the equilibrium, as the sums are written, where one angle tells the position."""
     units = instant.instant.scene.ledger.units
-    told = [s for s in places if units[s].text in ("rad", "m")]
-    if [units[s].text for s in told] != ["rad"]:
-        return block
-    (angle,) = told
+    told = [s for s in places if units[s].places]
+    alone = [units[s].turns for s in told] == [True]
+    return replace(_put_by(block, {told[0]: places[told[0]]}), posed=POSED) if alone else block
+
+
+def _put_by(block: Forces, rests: Mapping[sp.Symbol, sp.Expr]) -> Forces:
+    """Drawn with angles that are a little more than in the equilibrium. `rests`: what they are there."""
 
     def there(piece: Inline) -> Inline:
         if not isinstance(piece, Text) or piece.way is None:
             return piece
-        rest = piece.way.value.known(places[angle])
-        here = piece.way.value if rest is None else piece.way.value.extended({angle: rest + TURNED})
+        known = {q: rest for q, x in rests.items() if (rest := piece.way.value.known(x)) is not None}
+        here = piece.way.value.extended({q: rest + TURNED for q, rest in known.items()})
         return replace(piece, way=replace(piece.way, value=here))
 
     left, right = (tuple(map(there, side)) for side in (block.left, block.right))
-    return replace(block, left=left, right=right, posed=POSED)
+    return replace(block, left=left, right=right)
+
+
+def turned_off(blocks: Sequence[Block], motion: MotionTrace, instant: InstantSolution) -> list[Block]:
+    """The diagrams of a position that one angle tells, drawn by a small one off the equilibrium of a motion."""
+    there = _at_rest(motion)
+    return [_turned(b, there, instant) if isinstance(b, Forces) and b.right else b for b in blocks]
+
+
+def swung(blocks: Sequence[Block], motion: MotionTrace, instant: InstantSolution) -> list[Block]:
+    """The diagrams of a general position by which only swings about an equilibrium are told, its angles as large as can
+    be seen.
+    """
+    if not motion.oscillations or any(since != stop for since, stop in motion.regime(instant).stretches):
+        return list(blocks)
+    angles = {g: motion.value.known(x) for g, x in _at_rest(motion).items() if motion.ledger.units[g].turns}
+    rests = {g: sp.Rational(str(rest)) for g, rest in angles.items() if rest is not None}
+    return [_put_by(b, rests) if isinstance(b, Forces) and b.right else b for b in blocks]
+
+
+def _at_rest(motion: MotionTrace) -> dict[sp.Symbol, sp.Expr]:
+    """What varies, with what it is in the equilibrium."""
+    ledger, state = motion.ledger, motion.oscillations[0].state
+    return {g: x for x, g in motion.general.items() if ledger.roles[x].at == state}
 
 
 def _as_one(

@@ -12,7 +12,7 @@ import sympy as sp
 from planar_cli.report.actions import onward
 from planar_cli.report.blocks import Block, Equation, Forces, Heading, Line, Math, Paragraph, Text, line
 from planar_cli.report.linearised import DEVIATION
-from planar_cli.report.near_rest import SECOND_ORDER, near_the_rest, sides_near
+from planar_cli.report.near_rest import SECOND_ORDER, near_the_rest, sides_near, swung, turned_off
 from planar_cli.report.oscillation import RATES
 from planar_cli.report.restoring_arms import rocking
 from planar_cli.report.steps import SOLVING
@@ -32,11 +32,11 @@ def in_small_deviations(
     they are where something else rests on this position, or nothing in it is long.
     """
     if not is_of_small_deviations(motion, instant):
-        return blocks
+        return swung(blocks, motion, instant)
     linear, near = {p.of: p for o in motion.oscillations for p in o.linear}, motion.oscillations[0].near
     by_number = _sums(telling, linear)
     whole = {} if near is None else sides_near(telling, near, DEVIATION)
-    blocks = blocks if near is None else near_the_rest(blocks, near, instant, phrases)
+    blocks = turned_off(blocks, motion, instant) if near is None else near_the_rest(blocks, near, instant, phrases)
     rocks = None if near is None else rocking(near, instant, phrases, telling.solving.constants)
     found: list[Block] = []
     for block in _unsolved(blocks):
