@@ -10,7 +10,7 @@ from planar_cli.figures.axes_of_turning import is_axis
 from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.outlines import level, lying
 from planar_cli.figures.partners import between, is_lane, sketch_of
-from planar_cli.figures.rings import extent_of, turned_by
+from planar_cli.figures.rings import extent_of, off, turned_by
 from planar_cli.figures.shapes import body_marks, moved
 from planar_cli.figures.within import slot_within
 from planar_cli.problem.scene import Particle, Rod
@@ -70,13 +70,32 @@ def _in_lane(drawn: Drawn, slide: Slide, at: Spot, along: float) -> Iterator[Mar
 def _slot(drawn: Drawn, slide: Slide, at: Spot, along: float, later: Sequence[Spot]) -> Iterator[Mark]:
     """The slot in which something slides, as far as it comes, or as the body goes in which it is."""
     if slide.grounded and not slide.drawn:
-        ahead = [0.0, *(turned_by((x - at[0], y - at[1]), -along)[0] for x, y in later)]
+        spots = [*later, *_on_its_track(drawn, slide, at, along)]
+        ahead = [0.0, *(turned_by((x - at[0], y - at[1]), -along)[0] for x, y in spots)]
         yield Slot(moved(at, along, min(ahead)), moved(at, along, max(ahead)), along, True)
     carrier = drawn.body(slide.carrier) if slide.carrier is not None else None
     if carrier is not None:
         holds = [s for h in _sketches(drawn) if isinstance(h, Hinge) and (s := drawn.spot(h.at)) is not None]
         slot = slot_within(at, along, [*body_marks(drawn, carrier)], holds)
         yield from () if slot is None else (slot,)
+
+
+def _on_its_track(drawn: Drawn, slide: Slide, at: Spot, along: float) -> Iterator[Spot]:
+    """Where other guides lead the same body along the same line, as both rollers of a door run on one rail."""
+    tracks = {
+        p: s
+        for j in drawn.scene.problem.joints
+        if isinstance(p := getattr(j, "point", None), str)
+        for s in sketch_of(drawn, j)
+        if isinstance(s, Slide) and s.grounded and not s.drawn
+    }
+    bodies = {drawn.scene.owner(p) for p, s in tracks.items() if s == slide}
+    for name, other in tracks.items():
+        spot, way = drawn.spot(other.at), drawn.angle(other.along)
+        if other == slide or spot is None or way is None or drawn.scene.owner(name) not in bodies:
+            continue
+        if abs(math.sin(way - along)) < NEAR and off(at, along, spot) < NEAR * math.dist(at, spot):
+            yield spot
 
 
 def blocks_on_faces(drawn: Drawn) -> dict[str, Symbol]:

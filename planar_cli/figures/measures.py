@@ -11,21 +11,22 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from planar_cli.figures.angles import angle_from_its_zero, angles_of_coordinates
+from planar_cli.figures.apart_in_text import apart_in_text
 from planar_cli.figures.axes_of_turning import radius_marks
 from planar_cli.figures.drawn import Drawn, brief, words_of
 from planar_cli.figures.partners import between
 from planar_cli.figures.rings import across, way_of
-from planar_cli.figures.shapes import moved
+from planar_cli.figures.shapes import body_marks, moved
 from planar_cli.figures.slopes import slope_angles
 from planar_cli.figures.sought import in_waves, sought
 from planar_cli.figures.stated import is_stated
 from planar_cli.problem.expression import Name as Letter
 from planar_cli.problem.expression import Side
-from planar_cli.problem.scene import At, Body, Point, Polar, Problem, Rod, Round, Towards, TwoFacts
+from planar_cli.problem.scene import At, Body, Plate, Point, Polar, Problem, Rod, Round, Towards, TwoFacts
 from planar_cli.problem.shapes import rim_of
 from planar_cli.problem.walk import walk
 from planar_cli.report.blocks import Line, Name, line
-from planar_cli.report.marks import Angle, Dimension, Mark, Spot, Tag
+from planar_cli.report.marks import Angle, Dimension, Mark, Polyline, Spot, Tag
 
 RIGHT = math.pi / 2
 NEAR = 1e-6
@@ -57,6 +58,9 @@ def measure_marks(
         if point.name in tagged and isinstance(point.place, At | TwoFacts) and not seen:
             for mark in _coordinates(drawn, tagged[point.name], point.place, drawn.moved_by(point.name)):
                 yield from _once(mark, told)
+    sizes = (m for b in problem.bodies if isinstance(b.shape, Plate) for m in _plate(drawn, b, b.shape))
+    for mark in (*apart_in_text(drawn, tagged), *sizes):
+        yield from _once(_outside(mark, middle), told)
 
 
 def _middle(spots: Sequence[Spot]) -> Spot:
@@ -162,6 +166,15 @@ def _rod(drawn: Drawn, body: Body, shape: Rod) -> Iterator[Dimension | Angle]:
         yield Dimension(start, (2 * center[0] - start[0], 2 * center[1] - start[1]), words)
     if shape.angle is not None:
         yield from angle_from_its_zero(drawn, start, shape.angle)
+
+
+def _plate(drawn: Drawn, body: Body, shape: Plate) -> Iterator[Dimension]:
+    """Width and height along its lower and left sides, of one that is level beside all else."""
+    (ring,) = [m.places for m in body_marks(drawn, drawn.scene.bodies[body.name]) if isinstance(m, Polyline)] or [()]
+    for side, ends in ((shape.width, ring[:2]), (shape.height, (*ring[3:], *ring[:1]))):
+        if len(ends) == 2 and (words := _given(drawn, side, drawn.length(side))):
+            level = min(abs(ends[0][i] - ends[1][i]) for i in (0, 1)) < NEAR
+            yield Dimension(ends[0], ends[1], words, -1 if side is shape.width else 1 if level else -1, level)
 
 
 def _radii(drawn: Drawn, body: Body, rim: Round, tagged: Mapping[str, Spot]) -> Iterator[Dimension]:
