@@ -11,6 +11,7 @@ from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.centres import centre_of
 from planar_cli.equation.plain import longer
 from planar_cli.problem.geometry import Vec
 from planar_cli.records import record
@@ -65,7 +66,8 @@ def _left(instant: InstantSolution, body: str, used: list[Written], phrases: Phr
     model = scene.bodies[body]
     acting = list(acting_on(instant, body, phrases))
     still = instant.trial.system.balanced(body)
-    if model.rigid and not any(w.law == "moment" and w.lead == model.center_name for w in used):
+    names = (model.center_name, centre_of(scene, body))
+    if model.rigid and not any(w.law == "moment" and w.lead in names for w in used):
         turned = [product_of(moment_of(a.point - model.center, a.force, phrases) + a.couple, a.size) for a in acting]
         alpha = sp.S.Zero if still or motion is None else model.inertia * motion.accelerations[body].angular
         name = model.center_name if model.center_name and model.center_name != body else "G"

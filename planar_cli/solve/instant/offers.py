@@ -28,6 +28,7 @@ from planar_cli.records import record
 from planar_cli.solve.instant import candidates as c
 from planar_cli.solve.instant.candidates import Candidate, Choice, combine, cross3, priced
 from planar_cli.solve.instant.drawn_ways import goes_round, named_ways
+from planar_cli.solve.instant.lines_of_action import line_of
 from planar_cli.solve.instant.numbers import Numbers
 from planar_cli.solve.instant.pressed_across import pressed_across_lines
 from planar_cli.solve.multibody.linear import Row
@@ -272,6 +273,10 @@ class Offers:
         """The sums of forces on bodies along x and y, whatever else is offered; None: nothing is left of one."""
         return self._along_axes(self._group(bodies, {b: self.body_rows(b) for b in bodies}))
 
+    def about(self, body: str, place: Vec, name: str) -> Candidate | None:
+        """The sum of moments on one body about a point; None: nothing is left of it."""
+        return self._moment(self._group((body,), {body: self.body_rows(body)}), place, name, c.NAMED_POINT)
+
     def _along_axes(self, group: Group) -> list[Candidate | None]:
         ways = ("x", Vec(sp.S.One, sp.S.Zero)), ("y", Vec(sp.S.Zero, sp.S.One))
         return [self._force(group, way, name, c.AXIS) for name, way in ways]
@@ -365,36 +370,3 @@ class Offers:
     def _across_line(self, group: Group, symbol: sp.Symbol) -> Vec:
         """The direction across the line of an unknown on this group."""
         return line_of(self.system, self.numbers, group.bodies, symbol)[1].turned()
-
-
-def line_of(system: System, numbers: Numbers, bodies: tuple[str, ...], symbol: sp.Symbol) -> tuple[Vec, Vec]:
-    """Point and direction of the resultant of one unknown on a group: from its wrench about the origin."""
-    fx = fy = m = sp.S.Zero
-    simple: tuple[Vec, Vec] | None = None
-    count = 0
-    for push, expr in system.reactions.pushes if system.reactions else ():
-        factor = numbers.form(expr).terms.get(symbol)
-        if factor is None:
-            continue
-        for action in push.actions:
-            if action.body in bodies and action.force is not None:
-                force = action.force * factor
-                fx, fy, m = fx + force.x, fy + force.y, m + action.point.cross(force) + factor * action.couple
-                simple, count = (action.point, action.force), count + 1
-    if count == 0:
-        return _inertia_line(system, bodies, symbol, numbers)
-    if count == 1 and simple is not None:
-        return simple
-    square = fx**2 + fy**2
-    return Vec(fy * m / square, -fx * m / square), Vec(fx, fy)
-
-
-def _inertia_line(system: System, bodies: tuple[str, ...], symbol: sp.Symbol, numbers: Numbers) -> tuple[Vec, Vec]:
-    assert system.motion is not None
-    for body in bodies:
-        center = system.scene.center(body)
-        a = system.motion.acceleration(center, body)
-        direction = Vec(*(numbers.form(e).terms.get(symbol, sp.S.Zero) for e in (a.x, a.y)))
-        if direction.x != 0 or direction.y != 0:
-            return center, direction
-    raise LookupError(symbol.name)

@@ -24,6 +24,7 @@ from planar_cli.solve.instant.by_axes import bodies_by_axes
 from planar_cli.solve.instant.numbers import Numbers
 from planar_cli.solve.instant.offers import Offers
 from planar_cli.solve.instant.partners import with_partners
+from planar_cli.solve.instant.plainer import Kinds, with_plainer_equations
 from planar_cli.solve.instant.plan import Plan, Planner
 from planar_cli.solve.instant.symmetric_pulls import with_symmetric_pulls
 from planar_cli.solve.instant.through_given import through_given
@@ -134,7 +135,7 @@ class StageMaker:
         if plan is None:
             raise unplanned(self.system, (t for t in targets if t in index))
         first = tuple(nil.told(self.system, self.next_number + i) for i, nil in enumerate(found.first))
-        plan = with_symmetric_pulls(with_partners(plan, candidates, columns.unknowns, self.system), offers.along_axes)
+        plan = self._in_plain_form(with_partners(plan, candidates, columns.unknowns, self.system), offers, index)
         writer = Writer(self.system, columns, self.next_number + len(first), by_axes=bodies_by_axes(plan))
         numbered = through_given([tuple(map(writer.write, b.equations)) for b in plan.blocks], columns.unknowns)
         for body in dict.fromkeys(b for ws in numbered for w in ws for b in w.bodies) if self.whole else ():
@@ -168,6 +169,20 @@ class StageMaker:
     def _motion_bits(self, index: dict[sp.Symbol, int]) -> int:
         """All accelerations: the equations without any reaction often determine them on their own."""
         return sum(1 << index[s] for s in self.system.tree.acceleration_unknowns() if s in index)
+
+    def _in_plain_form(self, plan: Plan, offers: Offers, index: dict[sp.Symbol, int]) -> Plan:
+        """The plan with equations of one body in which as many unknowns stand, as a teacher would write them."""
+        plan = with_symmetric_pulls(plan, offers.along_axes)
+        if not offers.families:
+            return plan
+        return with_plainer_equations(plan, self.system, offers.about, offers.along_axes, self._kinds(index))
+
+    def _kinds(self, index: dict[sp.Symbol, int]) -> Kinds:
+        """The unknowns by what they are."""
+        along = {s for e in self.system.tree.edges for s in (e.slide_rate, e.rise_rate)}
+        rubbing = {self.system.symbols[p.name] for p in self.system.pushes if p.kind == "friction" and p.unit == "N"}
+        moving, friction = (sum(1 << j for s, j in index.items() if s in found) for found in (along, rubbing))
+        return Kinds(self._motion_bits(index), moving, friction)
 
     def _offers(
         self,

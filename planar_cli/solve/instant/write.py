@@ -25,9 +25,9 @@ from planar_cli.solve.instant.candidates import CONTACT, Candidate, Choice
 from planar_cli.solve.instant.carried_parts import carried_parts
 from planar_cli.solve.instant.evident_sense import apart, as_counted, as_told, in_its_sense, with_the_motion
 from planar_cli.solve.instant.led import led_by_ground, of_length
+from planar_cli.solve.instant.lines_of_action import line_of
 from planar_cli.solve.instant.named_parts import by_named
 from planar_cli.solve.instant.numbers import Numbers, exact_number
-from planar_cli.solve.instant.offers import line_of
 from planar_cli.solve.instant.plan import bits
 from planar_cli.solve.instant.reasons import acceleration_words
 from planar_cli.solve.instant.recognised import recognised
