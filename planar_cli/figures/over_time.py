@@ -40,6 +40,7 @@ CALLED = {
 }
 """Quantities that a page tells in sentences alone."""
 OF = {"force": "in", "moment": "at", "power": "of"}
+CUT = ", peaks cut off,"
 NEAR = 0.012
 """States that are reached within this part of the motion have one dot."""
 
@@ -53,6 +54,8 @@ class Plotted:
     """Of each component."""
     size: float
     """Its usual size in the scene, in the unit."""
+    cut: bool = False
+    """Are its peaks cut off?"""
 
     @property
     def constant(self) -> bool:
@@ -96,7 +99,8 @@ def _up(quantity: Plotted) -> Scaled:
     if high - low <= noise:
         # What is only rounding is drawn as what it is.
         low = high = 0.0 if abs(low) <= noise else low
-    return Scaled(words_of(quantity.column), unit_words(quantity.column.unit), low, high)
+    words = line(*words_of(quantity.column), CUT) if quantity.cut else words_of(quantity.column)
+    return Scaled(words, unit_words(quantity.column.unit), low, high)
 
 
 def unit_words(unit: Unit) -> str:

@@ -10,6 +10,7 @@ from itertools import zip_longest
 from types import MappingProxyType
 
 from planar_cli.errors import FileProblem, PlanarError
+from planar_cli.figures.cut_off import cut_off
 from planar_cli.figures.over_time import MOMENTS, Plotted, is_at, over_time, plotted, reached, unit_words, words_of
 from planar_cli.problem.check_dimensions import Kinds
 from planar_cli.problem.expression import Part, Quantity, Side
@@ -54,17 +55,23 @@ def _time(motion: Motion) -> tuple[Graph, ...]:
     """The columns of the table that change; all of them, where none does."""
     every = plotted(motion.run, columns_of(motion.run.problem, motion.asked))
     shown = [q for q in every if q.pieces and not q.constant] or [q for q in every if q.pieces]
-    graphs = over_time(motion.run, shown)
+    graphs = over_time(motion.run, _bounded(motion, shown))
     if motion.other is None:
         return graphs
-    return _beside(graphs, over_time(motion.other, plotted(motion.other, [q.column for q in shown])))
+    others = plotted(motion.other, [q.column for q in shown])
+    return _beside(graphs, over_time(motion.other, _bounded(motion, others)))
 
 
 def changing_graphs(motion: Motion) -> tuple[Graph, ...]:
     """The quantities that change, without another motion beside them."""
     columns = columns_of(motion.run.problem, motion.asked)
     changing = [q for q in plotted(motion.run, columns) if q.pieces and not q.constant]
-    return over_time(motion.run, changing)
+    return over_time(motion.run, _bounded(motion, changing))
+
+
+def _bounded(motion: Motion, quantities: Sequence[Plotted]) -> Sequence[Plotted]:
+    """The quantities, without peaks where the motion comes through positions in which forces grow without bound."""
+    return [cut_off(q) for q in quantities] if any(p.unbounded for p in motion.singular) else quantities
 
 
 def _beside(graphs: Sequence[Graph], others: Sequence[Graph]) -> tuple[Graph, ...]:

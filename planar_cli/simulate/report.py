@@ -8,7 +8,7 @@ from dataclasses import field
 from typing import Any
 
 from planar_cli.errors import Diagnostic, FileProblem, Mark, NoSolution
-from planar_cli.motion.trajectory import Trajectory, Transition
+from planar_cli.motion.trajectory import Transition
 from planar_cli.problem.reading import did_you_mean
 from planar_cli.problem.scene import Answer, Find, Problem
 from planar_cli.problem.show import spreadsheet_cell
@@ -19,6 +19,7 @@ from planar_cli.simulate.dated_by_spans import with_spans_dated
 from planar_cli.simulate.effects import Entry, known_effects, ledger, without
 from planar_cli.simulate.request import Request, columns, number_of, stops
 from planar_cli.simulate.run import Run, Settings, Simulation, begin, simulate, units_of
+from planar_cli.simulate.singular import SingularPosition, singular_positions
 from planar_cli.simulate.stopped import CONTRADICTIONS, NotFollowed, refusal
 from planar_cli.simulate.table import Table, table_of
 from planar_cli.units import pretty_unit
@@ -42,6 +43,13 @@ class Motion:
     """The same without some effects."""
     asked: tuple[Find, ...]
     """The quantities that were asked for as columns; (): as the table chooses them."""
+    singular: tuple[SingularPosition, ...] = ()
+    """Through which it comes."""
+
+    @property
+    def notes(self) -> list[str]:
+        """What else must be said."""
+        return [*self.run.trajectory.notes, *(place.words for place in self.singular)]
 
 
 def _alone(motion: Motion) -> Sequence[str]:
@@ -148,15 +156,16 @@ def _part(
         raise refused
     table = table_of(found.run, asked, request.times, request.rows)
     other = _without(problem, request, settings, stated)
-    motion = Motion(case, found.run, other.run if other is not None else None, asked)
+    singular = singular_positions(found.run)
+    motion = Motion(case, found.run, other.run if other is not None else None, asked, singular)
     watch.motions.append(motion)
     if as_data:
-        return found, _status(found), _data(case, found, table, other)
+        return found, _status(found), _data(motion, found, table, other)
     if request.output == "csv":
         return found, _status(found), "\n".join([*_csv(table), ""])
     lines = [f"CASE  {case.replace('_', ' ')}", ""] if case else []
     lines += [*wrapped(_head(found.run), watch.width), "", *_aligned(table, watch.width), *watch.plot(motion)]
-    told = [*_happened(found.run.trajectory), *_answers(found, other), *_checks(found)]
+    told = [*_happened(motion), *_answers(found, other), *_checks(found)]
     return found, _status(found), "\n".join([*lines, *wrapped(told, watch.width), ""])
 
 
@@ -225,10 +234,11 @@ def _quoted(text: str) -> str:
     return f'"{safe}"' if any(c in safe for c in ',;"') else safe
 
 
-def _happened(trajectory: Trajectory) -> Iterator[str]:
+def _happened(motion: Motion) -> Iterator[str]:
+    trajectory, notes = motion.run.trajectory, motion.notes
     entries = [(e.t, f"state {e.name}") for e in trajectory.events]
     entries += [(x.t, transition_words(x)) for x in trajectory.transitions]
-    if not entries and not trajectory.missed and not trajectory.notes:
+    if not entries and not trajectory.missed and not notes:
         return
     yield ""
     yield "What happens"
@@ -236,7 +246,7 @@ def _happened(trajectory: Trajectory) -> Iterator[str]:
         yield f"  t = {t:.9g} s   {words}"
     for name in trajectory.missed:
         yield f"  the state {name} is not reached"
-    for note in trajectory.notes:
+    for note in notes:
         yield f"  {note}"
 
 
@@ -296,11 +306,11 @@ def _checks(found: Simulation) -> Iterator[str]:
 # --- data -------------------------------------------------------------------------------------------------------------
 
 
-def _data(case: str, found: Simulation, table: Table, other: Simulation | None) -> dict[str, Any]:
+def _data(motion: Motion, found: Simulation, table: Table, other: Simulation | None) -> dict[str, Any]:
     run = found.run
     trajectory = run.trajectory
     return {
-        "case": case,
+        "case": motion.case,
         "outcome": trajectory.outcome.kind,
         "code": trajectory.outcome.code or None,
         "words": trajectory.outcome.words,
@@ -314,7 +324,7 @@ def _data(case: str, found: Simulation, table: Table, other: Simulation | None) 
             {"t": x.t, "kind": x.kind, "words": transition_words(x), "joints": list(x.joints)}
             for x in trajectory.transitions
         ],
-        "notes": list(trajectory.notes),
+        "notes": motion.notes,
         "work": {
             "steps": trajectory.work.steps,
             "rejected": trajectory.work.rejected,
