@@ -33,6 +33,7 @@ from planar_cli.report.names import plain_name
 from planar_cli.report.numeric import vanishing
 from planar_cli.report.offsets import offsets
 from planar_cli.report.open_lines import NOT_NEEDED, open_line
+from planar_cli.report.own_paths import across_the_path, straight_path
 from planar_cli.report.page_units import coherent_unit
 from planar_cli.report.pointing import pointing
 from planar_cli.report.rolled_parts import along_and_across
@@ -305,7 +306,7 @@ def _inertia(
             else sp.Mul(model.mass, component, evaluate=False)
         )
         forces.append((force, pointing(phrases, f" {phrases.arrow(v.x, v.y)}{at}", model.center, v)))
-    along = _straight(instant, body) if len(forces) > 1 else None
+    along = straight_path(instant, body) if len(forces) > 1 else None
     if along is not None and not reversed_sense:
         straight = pointing(phrases, f" {phrases.arrow(along.x, along.y)}{at}", model.center, along)
         parts += [phrases.math(model.mass), Text(" "), Name(f"a_{place.replace('_', ',')}"), straight]
@@ -334,16 +335,6 @@ def _turns(instant: InstantSolution, stage: Stage, body: str) -> sp.Expr:
     return sp.S.Zero if alpha in vanishing(stage) else sp.sympify(alpha)
 
 
-def _straight(instant: InstantSolution, body: str) -> Vec | None:
-    """The direction of the straight line along which a body that is a particle moves; None: it has none."""
-    system = instant.trial.system
-    joinings = (
-        j for mode in system.modes.values() for j in mode.facts.joinings if j.mover == body and j.base == GROUND
-    )
-    path = next((j.path for j in joinings if j.path is not None and j.path.curvature == 0), None)
-    return None if path is None or instant.instant.scene.rigid(body) else path.tangent
-
-
 def _moves(instant: InstantSolution, stage: Stage, body: str, phrases: Phrases) -> bool:
     """Has the mass centre an acceleration that no equation of the plan has, as about a fixed axis?"""
     system = instant.trial.system
@@ -370,8 +361,12 @@ def _clean(amount: sp.Expr, stage: Stage, phrases: Phrases, dimension: Dimension
 
 
 def _apart(direction: Vec, turning: sp.Expr, instant: InstantSolution, body: str) -> list[tuple[Vec, sp.Expr]]:
-    """A vector in plain lengths, but as one where it is an arm of the file, whose distance has the name OG."""
+    """A vector in plain lengths, but as one where it is an arm of the file, whose distance has the name OG, or lies
+    across the path of a particle.
+    """
     parts = in_plain_lengths(direction, turning, instant.value)
+    if len(parts) > 1 and (across := across_the_path(direction, instant, body)) is not None:
+        return [(across[0], turning * across[1])]
     turned = sp.sympify(direction.x).has(sp.sin, sp.cos) or sp.sympify(direction.y).has(sp.sin, sp.cos)
     if len(parts) == 1 or turned or distance_drawn(direction, turning, instant, body) is None:
         return parts
