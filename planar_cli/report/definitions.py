@@ -15,8 +15,8 @@ from planar_cli.report.clean import is_clean
 from planar_cli.report.damper_rates import rate_of_length
 from planar_cli.report.geometry import measured
 from planar_cli.report.inertias import (
-    about_apex,
     alike_together,
+    before_product,
     by_size,
     from_apex,
     in_one_product,
@@ -134,7 +134,7 @@ class DefinitionTelling:
             rest = sides[2:] if valued else (*sized[1:], *(() if self.phrases.symbolic else (value,)))
             sides = (sides[0], sized[0], *rest)
         if ledger.titles[symbol].startswith("moment of inertia") and not hidden:
-            sides = (sides[0], *about_apex(symbol, self.scene, self.phrases), *sides[1:])
+            sides = (sides[0], *before_product(symbol, self.scene, self.phrases), *sides[1:])
         if root := measured(expr, self.phrases):
             sides = (sides[0], root, value)
         if is_length and not self.phrases.symbolic and (hidden or not is_clean(ledger, expr, dimension=LENGTH)):

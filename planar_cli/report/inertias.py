@@ -137,7 +137,7 @@ def inertia_line(symbol: sp.Symbol, expr: sp.Expr, scene: Scene, phrases: Phrase
     sides: list[Inline | Line] = [phrases.math(symbol)]
     value = phrases.shown(symbol) if settled else None
     dimension = phrases.ledger.units[symbol].dimension
-    sides += about_apex(symbol, scene, phrases)
+    sides += before_product(symbol, scene, phrases)
     if sized := by_size(symbol, scene, phrases, settled):
         sides += sized
     elif not settled or (not longer(expr, LONGEST) and is_clean(phrases.ledger, expr, dimension=dimension)):
@@ -193,6 +193,22 @@ def by_size(symbol: sp.Symbol, scene: Scene, phrases: Phrases, settled: bool) ->
         texts = {s: _text(phrases.shown(s)) for s in (made.mass, made.own) if s != 0}
         told.append(line(Math(formula, {length: _text(size), **texts})))
     return told
+
+
+def before_product(symbol: sp.Symbol, scene: Scene, phrases: Phrases) -> list[Line]:
+    """A form that shows what a formula comes from, before it."""
+    return about_apex(symbol, scene, phrases) or of_multiple(symbol, scene)
+
+
+def of_multiple(symbol: sp.Symbol, scene: Scene) -> list[Line]:
+    """1/12 (3 m) l² of a rod whose mass is 3 m; empty where mass or length are no such."""
+    made = _of_body(symbol, scene)
+    if made is None or not sp.sqrt(made.square).is_Symbol:
+        return []
+    factor, letter = made.mass.as_coeff_Mul()
+    whole = factor.is_Integer and factor != 1 and letter.is_Symbol
+    texts = {letter: f"{factor} {letter.name}"}
+    return [line(Math(made.factor * letter * made.square, texts))] if whole else []
 
 
 def about_apex(symbol: sp.Symbol, scene: Scene, phrases: Phrases) -> list[Line]:
