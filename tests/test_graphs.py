@@ -139,3 +139,26 @@ def test_a_motion_without_an_effect_is_dashed(tmp_path: Path, capsys: pytest.Cap
 def test_what_no_picture_can_come_of_is_refused(args: list[str], capsys: pytest.CaptureFixture[str]) -> None:
     assert cli.run(["simulate", str(path_of("double-pendulum-let-go-level")), *args]) == 2
     assert "picture" in capsys.readouterr().err
+
+
+def test_a_mechanism_that_is_driven_has_graphs_of_what_is_asked() -> None:
+    figure = figure_of("body-slider-crank-over-time")
+    assert [g.up.unit for g in graphs_of(figure)] == ["mm", "m/s", "m/s²"]
+    assert [d.at[0] for d in graphs_of(figure)[0].dots][1] == pytest.approx(0.008)
+
+
+def test_a_motion_found_by_integration_has_its_graph_in_the_unit_of_its_answers() -> None:
+    *_, angle = graphs_of(figure_of("bar-with-spring-and-damper"))
+    assert angle.up.unit == "°"
+    assert angle.curves[0].pieces[0][0][1] == pytest.approx(12)
+
+
+def test_a_vibration_with_states_on_its_way_is_drawn_from_its_start() -> None:
+    *_, place = graphs_of(figure_of("quarter-car-on-a-washboard"))
+    assert place.across.low == 0
+    assert len(place.dots) == 5
+
+
+def figure_of(stem: str) -> Figure:
+    """The first graphs of a page."""
+    return dict(figures_of(illustrated_page(path_of(stem))))["motion"]

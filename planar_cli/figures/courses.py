@@ -26,8 +26,10 @@ from planar_cli.units import Unit, parse_unit
 
 MOST = 3
 """So many curves in one graph."""
-TURNS = 16
-"""A vibration that turns round more often is drawn from there on: before that its curve would be a dark band."""
+TURNS, DENSE = 16, 48
+"""A vibration that turns round more often is drawn from there on: before that its curve would be a dark band. With
+states on the way it is drawn whole, as long as its turns can be told apart.
+"""
 SHOWN = 720
 """Places of a curve, about."""
 RATES = {"v": "a", "omega": "alpha"}
@@ -60,7 +62,9 @@ def course_figures(motion: MotionTrace, found: Sequence[Found], page: Sequence[B
 
 
 def _laws(motion: MotionTrace) -> Iterator[Law]:
-    """The laws that the page integrates, and those of what is given as a function of the time."""
+    """The laws that the page integrates, in formulas or in numbers, and those of what is given over the time."""
+    if motion.guessed:
+        yield from (law for _, _, own in motion.stretches for law in own)
     relations = [r for step in motion.route.steps for r in step.relations]
     yield from (r.law for r in relations if r.law is not None)
     if any(r.kind == GIVEN for r in relations):
@@ -91,6 +95,8 @@ def _last_turns(way: Traced) -> Traced:
     every = [i for piece in way.pieces for i in piece]
     turns = [b.t for a, b in pairwise(every) if a.v * b.v < 0]
     since = turns[-TURNS] if len(turns) > TURNS else every[0].t
+    if len(turns) <= DENSE and any(every[0].t < i.t < since for _, i in way.states):
+        since = every[0].t
     kept = [[i for i in piece if i.t >= since] for piece in way.pieces]
     each = 1 + sum(map(len, kept)) // SHOWN
     pieces = tuple((*p[:-1:each], p[-1]) for p in kept if p)
@@ -109,7 +115,7 @@ def _graphs(
     graphs: list[Graph] = []
     for row, level in enumerate(drawn):
         last = row == len(drawn) - 1
-        unit, one = _unit(motion, ways[0].law, level)
+        unit, one = _unit(motion, ways[0].law, level, found)
         curves, dots = list[Curve](), list[tuple[str, Spot, Line]]()
         for c in ways:
             named = line(Name(_letter(c.law, level, letters, len(ways) > 1)))
@@ -128,11 +134,12 @@ def _stem(law: Law) -> str:
     return str(law.coordinate.symbol.name).split("_", 1)[0]
 
 
-def _unit(motion: MotionTrace, law: Law, level: str) -> tuple[Unit, float]:
-    """In which it is drawn, with how many base units one of it is."""
+def _unit(motion: MotionTrace, law: Law, level: str, found: Sequence[Found]) -> tuple[Unit, float]:
+    """In which it is drawn, with how many base units one of it is: angles in that of the answers."""
     us = motion.problem.us
     own = "rad" if law.coordinate.unit == "rad" else "ft" if us else "m"
     own = law.coordinate.shown if level == "q" and law.coordinate.shown not in ("", "m") else own
+    own = "deg" if level == "q" and own == "rad" and any(f.unit.text == "deg" for f in found) else own
     unit = parse_unit(f"{own}{LEVELS[level][1]}")
     return unit, in_base(unit, us)
 

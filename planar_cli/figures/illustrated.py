@@ -10,7 +10,7 @@ from planar_cli.figures.asked_curves import curve_figures
 from planar_cli.figures.centres import Centres
 from planar_cli.figures.courses import course_figures
 from planar_cli.figures.diagrams import diagram
-from planar_cli.figures.followed import motion_figure
+from planar_cli.figures.followed import asked_over_time, motion_figure
 from planar_cli.figures.particle_vectors import vector_figures
 from planar_cli.figures.polygons import polygons, polygons_of_states
 from planar_cli.figures.scenes import Scenes
@@ -120,8 +120,13 @@ class _Motions:
     def graphs(self, page: Sequence[Block]) -> Iterator[Figure]:
         """`page`: what stands above."""
         part = self.waiting.pop(_headed(page)[0], None)
-        if part is not None and part.motion is not None:
-            yield from filter(self._is_new, course_figures(part.motion, part.found, page))
+        if part is None or part.motion is None:
+            return
+        told = list(course_figures(part.motion, part.found, page))
+        if not told and part.run is not None:
+            asked = asked_over_time(part.motion, part.run, part.found)
+            told += [asked] if asked is not None else []
+        yield from filter(self._is_new, told)
 
     def _is_new(self, figure: Figure) -> bool:
         """Is a graph in it that no earlier case has?"""
