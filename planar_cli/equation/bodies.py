@@ -169,14 +169,9 @@ class MassReader:
             return mass
         if mass.is_number and mass.is_positive:
             return self.ledger.known(self._free(self._named("m", body)), mass, "kg")
-        if self._is_multiple_of_a_letter(mass):
+        if self.ledger.is_multiple_of_a_letter(mass):
             return mass
         return self._shown(mass, self._named("m", body), "kg", f"mass of {body.name}")
-
-    def _is_multiple_of_a_letter(self, expr: sp.Expr) -> bool:
-        """`4*m`, with m kept as a letter: it is written 4 m wherever it stands."""
-        _, rest = expr.as_coeff_Mul()
-        return rest.is_Symbol and rest not in self.ledger.values
 
     def _varies(self, expr: sp.Expr) -> bool:
         """Does it change with time or place? Then it stays a formula, so that its rate can be told."""

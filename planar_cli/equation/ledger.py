@@ -202,6 +202,11 @@ class Ledger:
             known |= new
         return known
 
+    def is_multiple_of_a_letter(self, expr: sp.Expr) -> bool:
+        """`4*m`, with m kept as a letter: it is written 4 m wherever it stands."""
+        _, rest = expr.as_coeff_Mul()
+        return rest.is_Symbol and rest not in self.values
+
     def behind(self, symbol: sp.Symbol) -> sp.Expr:
         """The formula of a named intermediate, or of a constant that is given by one; of others the symbol itself."""
         return sp.sympify(self.definitions.get(symbol, self.values.get(symbol, symbol)))
