@@ -15,7 +15,7 @@ from planar_cli.formats._svg import panels, svg
 from planar_cli.formats._tikz import tikz
 from planar_cli.formats.html import Html
 from planar_cli.report.blocks import Document, Drawing, Forces, Inline, Math, Name, Text, line
-from planar_cli.report.marks import Arc, Arrow, Dimension, Figure, Polyline, Symbol, Tag
+from planar_cli.report.marks import Arc, Arrow, Dimension, Figure, Polyline, Symbol, Tag, Turn
 
 DASHED = "dashed: direction assumed"
 NOTES = ("", DASHED, f"{DASHED}; found: F_D to the left")
@@ -274,3 +274,13 @@ def test_senses_that_rest_on_a_restitution_or_on_another_case_are_told() -> None
     assert notes("level-rod-caught-by-an-edge") == ["found: m*v_Gy__2 downward, I*omega__2 clockwise"]
     assert notes("wheel-over-a-kerb") == ["found: J_K_x to the left"]
     assert "found: F_P up to the left" in notes("package-on-the-end-drum-of-a-conveyor")[0]
+
+
+def test_a_guide_presses_on_an_edge_of_what_slides_in_it_and_holds_with_no_couple_that_is_nought() -> None:
+    """The floor strikes a wedge from below, straight under the place where the ball hits it."""
+    wedge = diagrams("ball-on-a-sliding-wedge")[0].panels[0].marks
+    assert not any(isinstance(m, Turn) for m in wedge)
+    (push,) = [m for m in wedge if isinstance(m, Arrow) and plain(m.words[0]) == "J_N_floor"]
+    (face,) = [m.places for m in wedge if isinstance(m, Polyline) and m.closed]
+    assert push.inward
+    assert push.at == pytest.approx((0.0, min(y for _, y in face)))

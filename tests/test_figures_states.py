@@ -302,3 +302,16 @@ def test_what_will_stick_is_drawn_where_it_comes_from() -> None:
         assert math.degrees(way.angle) == pytest.approx(angle), stem
         assert particle.at[0] < 0 < particle.at[1], stem
         assert not any(isinstance(m, Symbol) and m.kind == "weld" for m in marks), stem
+
+
+def test_links_on_one_pin_have_one_support() -> None:
+    """One hangs and one slants: the support is above both."""
+    (support,) = [m for m in marks_of("two-pendulums-that-collide") if isinstance(m, Symbol) and m.kind == "support"]
+    assert support.angle == math.pi
+
+
+def test_opposite_arrows_on_one_line_have_one_side_each() -> None:
+    """A jet that comes to a vane, and the force that holds it."""
+    comes, force = (m for m in marks_of("jet-on-a-vane") if isinstance(m, Arrow) and m.at == (0.0, 0.0))
+    assert (comes.inward, force.inward) == (True, False)
+    assert comes.aside == force.aside > 0

@@ -16,7 +16,7 @@ from planar_cli.figures.floors import blocks_on_faces
 from planar_cli.figures.given_motion import Found, Moving, Told, arrows_apart, given_motion_marks
 from planar_cli.figures.hanging import hanging, hangs_along
 from planar_cli.figures.held_later import slack_marks
-from planar_cli.figures.joints_drawn import sketch_marks
+from planar_cli.figures.joints_drawn import one_support, sketch_marks
 from planar_cli.figures.measures import measure_marks
 from planar_cli.figures.motions_in_states import moving_in
 from planar_cli.figures.names import names_of_bodies
@@ -184,13 +184,7 @@ def _marks(drawn: Drawn, moving: Moving | None, whole: Problem, later: Sequence[
                 standing |= {name: Symbol("block", masses[name], along) for name in on_it}
     aside = side_by_side(drawn, moving, joints, standing)
     hung = {n: block for n, block in {**led_blocks(drawn), **hanging(drawn)}.items() if n not in standing}
-    sketched = [
-        shifted(m, aside.get(getattr(entry, "body", ""), (0.0, 0.0)))
-        for entry in (*problem.joints, *_loads(problem, whole))
-        for s in sketch_of(drawn, entry)
-        if not (hangs_along(drawn, s, hung) or is_idle(drawn, entry, s) or is_apart(entry, aside))
-        for m in sketch_marks(drawn, s, line(entry.name), slid_to(later, entry, s))
-    ]
+    sketched = [*arrows_apart(one_support(list(_sketched(drawn, whole, later, hung, aside))), ())]
     sliding = {m.at for m in sketched if isinstance(m, Symbol) and m.kind in ("slider", "rail", "block")}
     for name, body in scene.bodies.items():
         for mark in body_marks(drawn, body):
@@ -212,6 +206,18 @@ def _marks(drawn: Drawn, moving: Moving | None, whole: Problem, later: Sequence[
         yield from arrows_apart(given, sketched)
     yield Axes(problem.plane == "vertical")
     yield from names_of_bodies(drawn, problem, tagged)
+
+
+def _sketched(
+    drawn: Drawn, whole: Problem, later: Sequence[Later], hung: Mapping[str, Symbol], aside: Mapping[str, Spot]
+) -> Iterator[Mark]:
+    """Joints and loads. `hung`: loads on ropes; `aside`: by so much bodies are drawn beside their places, m."""
+    problem = drawn.scene.problem
+    for entry in (*problem.joints, *_loads(problem, whole)):
+        for sketch in sketch_of(drawn, entry):
+            if not (hangs_along(drawn, sketch, hung) or is_idle(drawn, entry, sketch) or is_apart(entry, aside)):
+                marks = sketch_marks(drawn, sketch, line(entry.name), slid_to(later, entry, sketch))
+                yield from (shifted(m, aside.get(getattr(entry, "body", ""), (0.0, 0.0))) for m in marks)
 
 
 def _loads(problem: Problem, whole: Problem) -> tuple[Load, ...]:

@@ -9,6 +9,7 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import groupby
+from typing import TypeGuard
 
 from planar_cli.equation.bodies import BodyModel
 from planar_cli.figures.broken import NOT_TO_SCALE, broken_together
@@ -16,11 +17,13 @@ from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.found_ways import given_turned, note_of
 from planar_cli.figures.lanes import in_lanes
 from planar_cli.figures.moment_centres import with_centres
+from planar_cli.figures.partners import sketch_of
 from planar_cli.figures.pulling import Pulling
 from planar_cli.figures.rings import across, ends_of, extent_of, inside, meets, middle_of, off, sides, way_of
 from planar_cli.figures.ropes import ropes_within
 from planar_cli.figures.shapes import body_marks, moved
 from planar_cli.problem.geometry import Vec
+from planar_cli.problem.sketches import Slide
 from planar_cli.records import record
 from planar_cli.report.blocks import Block, Forces, Inline, Line, Math, Name, Text, Way, line
 from planar_cli.report.entries import ASSUMED
@@ -131,7 +134,7 @@ def _panel(drawn: Drawn, row: Forces, side: _Side, solution: Solution) -> Panel:
     marks += [Symbol("centre", own.middle) for own in insides.values()]
     centers += [(own.middle, False) for own in insides.values()]
     tags: dict[str, Spot] = {}
-    areas = [m.places for m in marks if isinstance(m, Polyline) and m.closed]
+    areas = [m.places for m in marks if _is_area(m)]
     for vector in side.vectors:
         at = _spot(drawn, vector.way, vector.way.place)
         if at is None:
@@ -143,6 +146,8 @@ def _panel(drawn: Drawn, row: Forces, side: _Side, solution: Solution) -> Panel:
         if at in insides:
             middle = insides[at].middle
             made = [_put(m, insides[at], vector.way.kind) for m in _mark(drawn, vector, at, middle, side.style)]
+        elif led := _led(drawn, vector, row, at):
+            made = [_on_edge(m, [r.places for r in body_marks(drawn, led) if _is_area(r)]) for m in made]
         elif named is None and at != center:
             near = NOT_NEEDED in vector.told
             made = [_on_edge(_within(m, areas) if near else m, areas) for m in made]
@@ -242,6 +247,24 @@ def _on_edge(mark: Mark, areas: Sequence[Sequence[Spot]]) -> Mark:
         return mark
     far = max(behind) if behind else min(found)
     return replace(mark, at=moved(mark.at, mark.angle, far), inward=True)
+
+
+def _led(drawn: Drawn, vector: _Vector, row: Forces, at: Spot) -> BodyModel | None:
+    """The body of a list that slides as a whole in a guide which presses on it with a force: that is at its edge."""
+    if vector.way.kind != "normal" or vector.way.direction is None:
+        return None
+    way, bodies = _spot(drawn, vector.way, vector.way.direction), row.body.split(", ")
+    slides = (s for j in drawn.scene.problem.joints for s in sketch_of(drawn, j) if isinstance(s, Slide))
+    for slide in (s for s in slides if s.grounded and s.body in bodies):
+        along, place = drawn.angle(slide.along), drawn.spot(slide.at)
+        if way is not None and along is not None and place is not None and math.dist(place, at) < LEVEL:
+            upright = abs(way[0] * math.cos(along) + way[1] * math.sin(along)) < LEVEL * math.hypot(*way)
+            return drawn.scene.bodies[slide.body] if upright and slide.body is not None else None
+    return None
+
+
+def _is_area(mark: Mark) -> TypeGuard[Polyline]:
+    return isinstance(mark, Polyline) and mark.closed
 
 
 def _within(mark: Mark, areas: Sequence[Sequence[Spot]]) -> Mark:

@@ -28,6 +28,7 @@ UPRIGHT = math.pi / 2
 NEAR = 1e-6
 ALONG, BESIDE = 0.05, 9.0
 """Arrows of directions that differ by less, rad, lie on each other; one is drawn so far beside the other, px."""
+MANY = 2
 RIM = 0.7
 """The edge of a particle, in parts of how far it is drawn beside its place."""
 MAG, ANGLE = "mag", "angle"
@@ -170,22 +171,26 @@ def _place(drawn: Drawn, name: str) -> Spot | None:
 
 
 def arrows_apart(marks: Iterable[Mark], before: Iterable[Mark]) -> Iterator[Mark]:
-    """The marks, each arrow beside one that begins at the same place in the same direction, under which nobody would
-    see it. `before`: what is drawn already.
+    """The marks, each arrow beside one that lies on the same side of the same place, under which nobody would see it.
+    `before`: what is drawn already.
     """
-    drawn = [m for m in before if isinstance(m, Arrow)]
-    for mark in marks:
-        if isinstance(mark, Arrow):
-            again = sum(_lie_together(mark, other) for other in drawn)
-            drawn.append(mark)
-            yield replace(mark, aside=BESIDE * again)
-        else:
+    drawn, told = [m for m in before if isinstance(m, Arrow)], list(marks)
+    arrows = [m for m in told if isinstance(m, Arrow)]
+    for mark in told:
+        if not isinstance(mark, Arrow):
             yield mark
+            continue
+        again = sum(_lie_together(mark, other) for other in drawn)
+        drawn.append(mark)
+        against = [m for m in arrows if _lie_together(mark, m) and m.inward != mark.inward]
+        # Two that are opposite have one side each.
+        yield replace(mark, aside=BESIDE / 2 if len(against) == 1 and again < MANY else BESIDE * again)
 
 
 def _lie_together(one: Arrow, other: Arrow) -> bool:
-    turned = math.remainder(one.angle - other.angle, 2 * math.pi)
-    return one.inward == other.inward and math.dist(one.at, other.at) < NEAR and abs(turned) < ALONG
+    """Also where one ends at the place from which the other goes back on the same line."""
+    turned = math.remainder(one.angle - other.angle + (math.pi if one.inward != other.inward else 0.0), 2 * math.pi)
+    return math.dist(one.at, other.at) < NEAR and abs(turned) < ALONG
 
 
 def _given(problem: Problem) -> Iterator[_Given]:

@@ -81,6 +81,19 @@ def _support(at: Spot, others: Sequence[Spot]) -> Symbol:
     return Symbol("support", at, math.pi if hangs and not stands else 0.0)
 
 
+def one_support(marks: Sequence[Mark]) -> list[Mark]:
+    """The marks with one support for all that is pinned at a place: above, if something hangs there."""
+    fixed = [m for m in marks if isinstance(m, Symbol) and m.kind == "support"]
+    found: list[Mark] = []
+    for mark in marks:
+        own = [m for m in fixed if isinstance(mark, Symbol) and mark.kind == "support" and m.at == mark.at]
+        if not own:
+            found.append(mark)
+        elif mark is own[0]:
+            found.append(max(own, key=lambda m: m.angle))
+    return found
+
+
 @_drawn.register
 def _fastening(sketch: Fastening, drawn: Drawn, name: Line) -> Iterator[Mark]:
     at = drawn.spot(sketch.at)

@@ -32,7 +32,7 @@ from planar_cli.report.in_numbers import amount_in_numbers
 from planar_cli.report.names import plain_name
 from planar_cli.report.numeric import vanishing
 from planar_cli.report.offsets import offsets
-from planar_cli.report.open_lines import NOT_NEEDED, open_line
+from planar_cli.report.open_lines import NOT_NEEDED, no_couples, open_line
 from planar_cli.report.own_paths import across_the_path, straight_path
 from planar_cli.report.page_units import coherent_unit
 from planar_cli.report.pointing import pointing
@@ -75,6 +75,7 @@ def force_rows(
     `bodies`: of these alone.
     """
     kinds = (MOMENTUM, ANGULAR_MOMENTUM) if impulsive else (FORCE, ENERGY)
+    nil = {*nil, *no_couples(instant.trial)} if impulsive else nil
     rows = []
     for body in bodies or drawn_bodies(instant, stage):
         acting = _acting(instant, stage, body, phrases, nil)

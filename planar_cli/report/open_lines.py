@@ -56,3 +56,13 @@ def open_line(trial: Trial, push: Push, body: str, used: Collection[sp.Symbol], 
     if turns is None or not presses or own is None:
         return OpenLine(None)
     return OpenLine(value(sp.sympify(own.couple)) * turns / presses)
+
+
+def no_couples(trial: Trial) -> set[sp.Expr]:
+    """Those with which guides do not hold: their forces act at the named points. Of a blow the page has few of its
+    equations, and none that says so.
+    """
+    system, guides = trial.system, {j.name for j in trial.system.scene.problem.joints if j.kind == "guide"}
+    told = system.reactions.pushes if system.reactions is not None and trial.outcomes else ()
+    couples = [(p, expr) for p, expr in told if p.kind == "couple" and p.joint in guides]
+    return {expr for p, expr in couples if all(outcome.push(p.name) == 0 for outcome in trial.outcomes)}
