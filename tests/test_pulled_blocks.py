@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import math
 
+import pytest
+from test_figures_bodies import drawings
+
 from planar_cli.figures.sunk import MIDDLE, sunk
 from planar_cli.report.lines import line
 from planar_cli.report.marks import Angle, Arc, Arrow, Hatched, Mark, Polyline, Symbol
@@ -42,3 +45,13 @@ def test_the_angle_of_a_slope_stays_at_its_foot() -> None:
     found = sunk([GROUND, BLOCK, FORCE, Angle((-1.0, 0.0), 0.0, 0.3, line("beta"))])
     assert isinstance(found[3], Angle)
     assert (round(found[3].shift[0], 6), found[3].shift[1]) == (0.0, -MIDDLE)
+
+
+def test_a_load_on_a_pulley_hangs_under_it() -> None:
+    """On the axle itself, or on a light rod; a bob at the end of a rod is seen as a mass."""
+    table = drawings("block-on-a-table-and-a-moving-pulley")["scene"].panels[0].marks
+    assert (0.15, pytest.approx(-1.16)) in [m.at for m in table if isinstance(m, Symbol) and m.kind == "block"]
+    hoist = drawings("hoist-with-moving-pulley")["scene"].panels[0].marks
+    assert [m.at for m in hoist if isinstance(m, Symbol) and m.kind == "block"] == [(0.0, -0.8)]
+    swing = drawings("swing-from-which-the-cord-just-holds")["scene"].panels[0].marks
+    assert {m.kind for m in swing if isinstance(m, Symbol)} == {"particle", "support", "point", "place"}

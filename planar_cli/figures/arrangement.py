@@ -14,7 +14,7 @@ from planar_cli.figures.deflected import angles_there, at_equilibrium, deflected
 from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.floors import blocks_on_faces
 from planar_cli.figures.given_motion import Found, Moving, Told, arrows_apart, given_motion_marks
-from planar_cli.figures.hanging import hanging, hangs_along
+from planar_cli.figures.hanging import hanging, hangs_along, under_axles
 from planar_cli.figures.held_later import slack_marks
 from planar_cli.figures.joints_drawn import one_support, sketch_marks
 from planar_cli.figures.measures import measure_marks
@@ -160,7 +160,7 @@ def _marks(drawn: Drawn, moving: Moving | None, whole: Problem, later: Sequence[
     centers, named = list(masses.values()), {**masses, **points}
     size = extent_of([*points.values(), *centers]) or ALONE
     standing = blocks_on_faces(drawn)
-    inner, edges_of = list[Mark](), dict[str, tuple[Spot, ...]]()
+    inner, edges_of = list[Mark](under_axles(drawn)), dict[str, tuple[Spot, ...]]()
     shaped = frozenset[str]().union(*(edges(drawn, body) for body in scene.bodies.values()))
     for surface in problem.surfaces:
         if surface.name in shaped or _is_rim(drawn, surface):

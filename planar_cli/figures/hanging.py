@@ -1,4 +1,4 @@
-"""Particles that hang on ropes over pulleys or drums: loads, drawn as blocks under the end of the rope.
+"""Particles that hang on ropes over pulleys or drums, or on pulleys: loads, drawn as blocks under the end of the rope.
 
 What swings on a thread from a fixed point, or between two threads, is a bob and stays a point.
 """
@@ -11,7 +11,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.partners import sketch_of
 from planar_cli.problem.geometry import Vec
-from planar_cli.problem.scene import Body, Particle
+from planar_cli.problem.scene import Body, Particle, Round
 from planar_cli.problem.sketches import Absorber, Bar, Cord, Hinge, Sketch, Slide, Spiral
 from planar_cli.report.marks import Mark, Polyline, Spot, Symbol
 
@@ -36,7 +36,7 @@ def hanging(drawn: Drawn) -> dict[str, Symbol]:
     while True:
         more = {
             name: Symbol("block", at, DOWN)
-            for name, at in _ends(drawn, cords, found)
+            for name, at in (*_ends(drawn, cords, found), *_on_hooks(drawn))
             if name in loads and name not in found and not _is_among(at, held)
         }
         if not more:
@@ -61,6 +61,8 @@ def _held(drawn: Drawn, wheels: bool = True) -> Iterator[Vec]:
                     continue
                 case Hinge(at=at) | Slide(at=at):
                     yield at
+                case Bar() if (hook := _hook(drawn, sketch)) is not None:
+                    yield hook[0]
                 case Bar(start=a, end=b) | Spiral(start=a, end=b) | Absorber(start=a, end=b):
                     yield from (a, b)
                 case Cord(stops=stops) if wheels:
@@ -81,6 +83,49 @@ def _ends(drawn: Drawn, cords: Sequence[Cord], found: Mapping[str, Symbol]) -> I
                     yield lower.body, at
 
 
+def _hook(drawn: Drawn, bar: Bar) -> tuple[Vec, Vec] | None:
+    """Upper and lower end of a light rod straight under the axle of a wheel."""
+    for upper, lower in ((bar.start, bar.end), (bar.end, bar.start)):
+        above, at = drawn.spot(upper), drawn.spot(lower)
+        if above is None or at is None or any(bar.fixed) or not _is_among(above, [*_axles(drawn).values()]):
+            continue
+        if above[1] > at[1] and abs(above[0] - at[0]) <= UPRIGHT * (above[1] - at[1]):
+            return upper, lower
+    return None
+
+
+def _on_hooks(drawn: Drawn) -> Iterator[tuple[str, Spot]]:
+    """Particles at the lower ends of such rods."""
+    bars = [s for j in drawn.scene.problem.joints for s in sketch_of(drawn, j) if isinstance(s, Bar)]
+    ends = [drawn.spot(hook[1]) for bar in bars if (hook := _hook(drawn, bar)) is not None]
+    for body in drawn.scene.problem.bodies:
+        at = drawn.center(body.name)
+        if at is not None and _is_among(at, ends):
+            yield body.name, at
+
+
+def _axles(drawn: Drawn) -> dict[str, Spot]:
+    """The centres of round bodies."""
+    rounds = [b.name for b in drawn.scene.problem.bodies if isinstance(b.shape, Round)]
+    return {name: spot for name in rounds if (spot := drawn.center(name)) is not None}
+
+
+def under_axles(drawn: Drawn) -> Iterator[Mark]:
+    """A load that is a particle on the axle of a pulley in the loop of a rope, under that pulley."""
+    problem = drawn.scene.problem
+    cords = [s for j in problem.joints for s in sketch_of(drawn, j) if isinstance(s, Cord)]
+    held = [
+        drawn.spot(s.at) for j in problem.joints for s in sketch_of(drawn, j) if isinstance(s, Hinge) and s.grounded
+    ]
+    for body in problem.bodies if problem.plane != "horizontal" else ():
+        at = drawn.center(body.name) if _is_load(drawn, body) else None
+        for cord in cords if at is not None and not _is_among(at, held) else ():
+            for i, stop in enumerate(cord.stops):
+                radius = drawn.number(stop.radius) or 0.0
+                if 0 < i < len(cord.stops) - 1 and stop.body != body.name and drawn.spot(stop.center) == at and radius:
+                    yield from _in_loop(drawn, cord, i, radius)
+
+
 def hangs_along(drawn: Drawn, sketch: Sketch, hung: Mapping[str, Symbol]) -> bool:
     """Is it a guide that leads a load upright, as its rope does? `hung`: the loads at ends of ropes."""
     if not isinstance(sketch, Slide) or not _is_upright(drawn, sketch):
@@ -98,11 +143,17 @@ def _is_upright(drawn: Drawn, slide: Slide) -> bool:
 def in_its_loop(drawn: Drawn, cord: Cord, i: int, radius: float) -> Iterator[Mark]:
     """A load whose wheel hangs in the loop of a rope, under that wheel. `i`: the stop; `radius`: of the wheel, m."""
     body = next((b for b in drawn.scene.problem.bodies if b.name == cord.stops[i].body), None)
+    if body is not None and _is_load(drawn, body) and drawn.scene.problem.plane != "horizontal":
+        at = drawn.spot(cord.stops[i].center)
+        yield from () if at is None or _is_below(drawn, cord, at) else _in_loop(drawn, cord, i, radius)
+
+
+def _in_loop(drawn: Drawn, cord: Cord, i: int, radius: float) -> Iterator[Mark]:
     places = [drawn.spot(stop.center) for stop in cord.stops[i - 1 : i + 2]]
-    if body is None or not _is_load(drawn, body) or drawn.scene.problem.plane == "horizontal" or None in places:
+    if None in places:
         return
     before, at, after = places
-    if before is None or at is None or after is None or min(before[1], after[1]) <= at[1] or _is_below(drawn, cord, at):
+    if before is None or at is None or after is None or min(before[1], after[1]) <= at[1]:
         return
     hook = (at[0], at[1] - HOOK * radius)
     yield Polyline((at, hook), "thin")

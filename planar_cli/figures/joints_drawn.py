@@ -15,6 +15,7 @@ from planar_cli.figures.ropes import Stop, cord_marks, straight
 from planar_cli.figures.shapes import moved
 from planar_cli.problem.expression import Name, Quantity, Side
 from planar_cli.problem.keys import Table
+from planar_cli.problem.scene import Particle
 from planar_cli.problem.sketches import (
     Absorber,
     Bar,
@@ -106,8 +107,13 @@ def _bar(sketch: Bar, drawn: Drawn, name: Line) -> Iterator[Mark]:
     ends = _ends(drawn, sketch)
     if ends is not None:
         yield Polyline(ends, "body")
+        # A particle at its end is seen as such.
+        bobs = [drawn.center(b.name) for b in drawn.scene.problem.bodies if isinstance(b.shape, Particle)]
         for (end, other), fixed in zip((ends, ends[::-1]), sketch.fixed, strict=True):
-            yield _support(end, [other]) if fixed else Symbol("pin", end)
+            if fixed:
+                yield _support(end, [other])
+            elif end not in bobs:
+                yield Symbol("pin", end)
 
 
 @_drawn.register
