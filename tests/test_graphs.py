@@ -17,10 +17,12 @@ from planar_cli import cli
 from planar_cli.figures.illustrated import figures_of
 from planar_cli.formats._graph import COLOURS, ticked
 from planar_cli.formats._labels import clashes
+from planar_cli.formats._small_plot import small_plot
 from planar_cli.formats._svg import PRINT, papers_of
 from planar_cli.formats.html import Html
 from planar_cli.homework.checking import read
 from planar_cli.problem.structure import load_text
+from planar_cli.report.blocks import Name, line
 from planar_cli.report.graphs import Graph
 from planar_cli.report.marks import Figure
 from planar_cli.simulate.energies import NAMES, energies, off
@@ -162,3 +164,22 @@ def test_a_vibration_with_states_on_its_way_is_drawn_from_its_start() -> None:
 def figure_of(stem: str) -> Figure:
     """The first graphs of a page."""
     return dict(figures_of(illustrated_page(path_of(stem))))["motion"]
+
+
+def test_a_motion_in_letters_has_its_shape_with_letters_at_the_axes() -> None:
+    graphs = graphs_of(figure_of("boat-driven-from-rest-and-cut-in-letters"))
+    assert [[w for _, w in g.across.letters] for g in graphs] == [[line("0"), line(Name("t__cut"))]] * 3
+    assert [[w for _, w in g.up.letters] for g in graphs[1:]] == [
+        [line("0"), line(Name("v__cut"))],
+        [line("0"), line(Name("x__cut"))],
+    ]
+    assert not any(g.across.unit or g.up.unit for g in graphs)
+    _, speed, _ = graphs
+    assert max(y for p in speed.curves[0].pieces for _, y in p) == pytest.approx(speed.up.letters[1][0])
+    plot = small_plot(speed, 60)
+    assert not any(c.isdigit() and c != "0" for row in plot for c in row)
+
+
+def test_a_given_letter_stands_at_its_place() -> None:
+    _, speed, _ = graphs_of(figure_of("ball-up-with-drag-in-letters"))
+    assert line(Name("v_0")) in [w for _, w in speed.up.letters]

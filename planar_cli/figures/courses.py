@@ -14,6 +14,7 @@ import sympy as sp
 
 from planar_cli.base_units import in_base
 from planar_cli.figures.laws_traced import Instant, Traced, traced
+from planar_cli.figures.letters_on_axes import SOME, in_letters, places_of, rests_on_letters, times_of
 from planar_cli.figures.over_time import FIGURES, LOW, NEAR, NOISE, WIDE, unit_words
 from planar_cli.report.blocks import Block, Line, Name, Value, line
 from planar_cli.report.graphs import Curve, Dot, Graph, Scaled, Spot
@@ -47,18 +48,15 @@ Names = Mapping[str, str]
 
 def course_figures(motion: MotionTrace, found: Sequence[Found], page: Sequence[Block]) -> Iterator[Figure]:
     """The graphs of one part: of lengths and of angles apart. `found`: its answers; `page`: what stands above."""
-    if motion.problem.symbols:
-        # Without numbers for all letters there are no curves.
-        return
     coordinates = dict.fromkeys(law.coordinate.symbol for law in _laws(motion))
     ways = [c for q in coordinates if (c := traced(motion, q)) is not None]
     for unit in dict.fromkeys(c.law.coordinate.unit for c in ways):
         alike = [_last_turns(c) for c in ways if c.law.coordinate.unit == unit][:MOST]
         if not _says_something(alike):
             continue
-        letters = frozenset(name.split("__", 1)[0] for block in page for name in names_in(block))
-        graphs = _graphs(motion, alike, found, letters)
-        yield Figure((Panel(tuple(graphs)),), f"The motion of {motion.problem.title}", name="motion")
+        names = frozenset(name for block in page for name in names_in(block))
+        graphs, note = _graphs(motion, alike, found, names), line(SOME) if rests_on_letters(motion, alike) else ()
+        yield Figure((Panel(tuple(graphs)),), f"The motion of {motion.problem.title}", name="motion", note=note)
 
 
 def _laws(motion: MotionTrace) -> Iterator[Law]:
@@ -106,12 +104,13 @@ def _last_turns(way: Traced) -> Traced:
 # --- graphs -----------------------------------------------------------------------------------------------------------
 
 
-def _graphs(
-    motion: MotionTrace, ways: Sequence[Traced], found: Sequence[Found], letters: frozenset[str]
-) -> list[Graph]:
+def _graphs(motion: MotionTrace, ways: Sequence[Traced], found: Sequence[Found], names: frozenset[str]) -> list[Graph]:
+    letters = frozenset(name.split("__", 1)[0] for name in names)
+    lettered = rests_on_letters(motion, ways)
     drawn = [level for level in LEVELS if _varies(ways, level) and (level != "q" or _places_matter(motion, ways))]
     times = [i.t for c in ways for piece in c.pieces for i in piece]
     across = Scaled(line(Name("t")), "s", min(times), max(times))
+    across = in_letters(across, times_of(motion, ways, names)) if lettered else across
     graphs: list[Graph] = []
     for row, level in enumerate(drawn):
         last = row == len(drawn) - 1
@@ -125,6 +124,9 @@ def _graphs(
         spots = [y for curve in curves for piece in curve.pieces for _, y in piece]
         words = curves[0].words if len(curves) == 1 else line(Name({"a": "a", "v": "v"}.get(level, _stem(ways[0].law))))
         up = Scaled(words, unit_words(unit), min(spots), max(spots))
+        if lettered:
+            called = {c: _letter(c.law, level, letters, len(ways) > 1) for c in ways}
+            up = in_letters(up, (m for c, x in called.items() for m in places_of(motion, c, level, x, names, one)))
         near = (NEAR * (across.high - across.low), 3 * NEAR * (up.high - up.low))
         graphs.append(Graph(across, up, tuple(curves), tuple(_marked(dots, near)), row, size=(WIDE, LOW)))
     return graphs

@@ -9,13 +9,14 @@ from itertools import pairwise
 from planar_cli.formats._paper import Disc, Run, Spot, Stroke, Words, runs_of
 from planar_cli.records import record
 from planar_cli.report.graphs import Curve, Graph, Scaled
+from planar_cli.report.lines import Line, line
 from planar_cli.report.numbers import superscript
 
 PITCH = 74.0
 """What stands above and below the field of a graph, where several stand over each other."""
 TICK = 4.0
-LEAST_ACROSS, LEAST_UP = 45.0, 27.0
-"""So far apart are ticks at least."""
+LEAST_ACROSS, LEAST_UP, ROOM = 45.0, 27.0, 0.6
+"""So far apart are ticks at least; letters in these parts of it."""
 STEPS = (1.0, 2.0, 5.0, 10.0)
 LARGE, SMALL = 1e5, 1e-3
 """Numbers beyond these have a power of ten at the axis."""
@@ -41,6 +42,12 @@ class Ticked:
     """Of ten, by which the numbers at the ticks are to be multiplied."""
     powers: bool = False
     """Are the numbers exponents of ten?"""
+    letters: tuple[Line, ...] = ()
+    """What stands at the ticks instead of numbers."""
+
+    def words(self, tick: float) -> Line:
+        """What stands at a tick."""
+        return self.letters[self.ticks.index(tick)] if self.letters else line(self.told(tick))
 
     def told(self, tick: float) -> str:
         """The number at a tick."""
@@ -69,7 +76,13 @@ def ticked(low: float, high: float, most: int, tight: bool = False) -> Ticked:
 
 
 def scaled_ticks(axis: Scaled, most: int, tight: bool = False) -> Ticked:
-    """The ticks of an axis; of powers of ten the axis ends at whole ones."""
+    """The ticks of an axis; of powers of ten the axis ends at whole ones, letters stand where there is room."""
+    if axis.letters:
+        kept: list[tuple[float, Line]] = []
+        for place, words in axis.letters:
+            if all(abs(place - other) >= ROOM * (axis.high - axis.low) / most for other, _ in kept):
+                kept.append((place, words))
+        return Ticked(axis.low, axis.high, tuple(p for p, _ in kept), 1.0, 0, letters=tuple(w for _, w in kept))
     if not axis.powers:
         return ticked(axis.low, axis.high, most, tight)
     low, high = math.floor(axis.low + 1e-9), math.ceil(axis.high - 1e-9)
@@ -147,20 +160,20 @@ def _axes(mark: Graph, field: Field) -> Iterator[Piece]:
         x, _ = field.spot((tick, field.up.low))
         yield Stroke(((x, bottom), (x, top)), "grid")
         yield Stroke(((x, bottom), (x, bottom + TICK)), "measure")
-        yield _number(field.across.told(tick), (x, bottom + TICK), DOWN)
+        yield _number(field.across.words(tick), (x, bottom + TICK), DOWN)
     for tick in field.up.ticks:
         _, y = field.spot((field.across.low, tick))
         zero = tick == 0 and bottom - y > 1
         yield Stroke(((left, y), (right, y)), "measure" if zero else "grid")
         yield Stroke(((left - TICK, y), (left, y)), "measure")
-        yield _number(field.up.told(tick), (left - TICK, y), LEFT)
+        yield _number(field.up.words(tick), (left - TICK, y), LEFT)
     yield Words(_measured(mark.across, field.across.power), (right, bottom - 4.0), "axis", (RIGHT,), 14.0, fixed=True)
     yield Words(_measured(mark.up, field.up.power), (left, top), "axis", (UP,), 11.0, fixed=True)
 
 
-def _number(text: str, at: Spot, angle: float) -> Words:
+def _number(words: Line, at: Spot, angle: float) -> Words:
     # At the corner the first numbers of both axes stand near each other.
-    return Words((Run(text),), at, "axis", (angle,), 5.0 if angle == DOWN else 3.0, fixed=True)
+    return Words(runs_of(words), at, "axis", (angle,), 5.0 if angle == DOWN else 3.0, fixed=True)
 
 
 def _measured(axis: Scaled, power: int) -> tuple[Run, ...]:

@@ -24,7 +24,7 @@ POINT = "●"
 def small_plot(graph: Graph, width: int) -> list[str]:
     """The lines of a plot that is no wider than `width`."""
     up = scaled_ticks(graph.up, ROWS // 2)
-    told = {k: letters(up.told(t).replace("−", "-")) for k, t in enumerate(up.ticks)}
+    told = {k: letters(_text(up.words(t)).replace("−", "-")) for k, t in enumerate(up.ticks)}
     beside = max(map(len, told.values()))
     # The power of ten is the same with any number of ticks.
     words = _measured(graph.across, scaled_ticks(graph.across, 1, tight=True).power)
@@ -71,7 +71,7 @@ def _axis(words: str, field: Field, columns: int, width: int, start: int) -> lis
     line = "".join("┬" if k in places else "─" for k in range(columns))
     below = [" "] * (columns + EACH)
     for column, t in places.items():
-        text = letters(across.told(t).replace("−", "-"))
+        text = letters(_text(across.words(t)).replace("−", "-"))
         begin = max(min(column - (len(text) - 1) // 2, width - start - 1 - len(text)), 0)
         if all(c == " " for c in below[max(begin - 1, 0) : begin + len(text) + 1]):
             below[begin : begin + len(text)] = text

@@ -11,7 +11,8 @@ Spot = tuple[float, float]
 @record
 class Scaled:
     """What is measured along an axis, in `unit` ("" for a pure number), and from where to where at least. `powers`:
-    these numbers, and those of the curves, are exponents of ten.
+    these numbers, and those of the curves, are exponents of ten. `letters`: where numbers rest on letters, what
+    stands at some places instead of them.
     """
 
     words: Line
@@ -19,6 +20,7 @@ class Scaled:
     low: float
     high: float
     powers: bool = False
+    letters: tuple[tuple[float, Line], ...] = ()
 
 
 @record
