@@ -12,6 +12,7 @@ import sympy as sp
 
 from planar_cli.base_units import in_base
 from planar_cli.homework.dependence import only_unknown
+from planar_cli.homework.followed_again import Again, Followable, followable
 from planar_cli.homework.own_vectors import own_inputs, with_own
 from planar_cli.homework.paper import Expected, Task
 from planar_cli.homework.typed_formula import values_at
@@ -41,6 +42,9 @@ class Carriable:
     values: Mapping[int, Mapping[str, float]]
     own: Mapping[str, frozenset[str]]
     of_variants: Mapping[int, Mapping[str, Equations]] = field(default_factory=dict)
+    followed: Followable | None = None
+    written: Mapping[int, Mapping[str, str]] = field(default_factory=dict)
+    """Where motions are followed in numbers: by variant, the values of given names as a file writes them."""
 
     def at(self, variant: int) -> Carriable:
         """For one variant: with its own equations, at its own values, where it has some."""
@@ -53,8 +57,12 @@ def carriable(
     problem: WorkedProblem,
     values: Mapping[int, Mapping[str, float]],
     solved_alone: Mapping[int, WorkedProblem] | None = None,
+    written: Mapping[int, Mapping[str, str]] | None = None,
 ) -> Carriable:
-    """The same of a worked problem; of variants that were solved alone, by their equations."""
+    """The same of a worked problem; of variants that were solved alone, by their equations. `written`: by variant, the
+    values of given names as a file writes them, without which no motion is followed again.
+    """
+    followed = followable(problem) if written is not None else None
     return Carriable(
         problem.problem.us,
         _equations(problem),
@@ -63,6 +71,8 @@ def carriable(
         values,
         {p.solution.case: p.own for p in problem.parts},
         {k: _equations(own) for k, own in (solved_alone or {}).items()},
+        followed,
+        written if written is not None and followed is not None else {},
     )
 
 
@@ -176,6 +186,7 @@ class Carrier:
     def __init__(self, problems: Mapping[str, Carriable]) -> None:
         self.problems = dict(problems)
         self._ready: dict[tuple[str, int], _Ready] = {}
+        self._again: dict[tuple[str, int], Again] = {}
 
     def ready(self, problem: str, variant: int) -> _Ready | None:
         """A problem as a variant has it; None: nothing is carried in it."""
@@ -187,6 +198,17 @@ class Carrier:
         if key not in self._ready:
             self._ready[key] = _Ready(data.at(variant))
         return self._ready[key]
+
+    def again(self, task: Task, variant: int) -> Again | None:
+        """The motions of a problem that are followed in numbers, to be followed again; None: it has none."""
+        data = self.problems.get(task.problem)
+        if data is None or data.followed is None:
+            return None
+        key = task.problem, variant
+        if key not in self._again:
+            right = {e.find: e.values for e in task.expected if e.values}
+            self._again[key] = Again(data.followed, data.written.get(variant, {}), right)
+        return self._again[key]
 
     def for_variant(self, variant: int) -> CarriedHere:
         """For the submissions of one variant."""
@@ -208,14 +230,18 @@ class CarriedHere:
         problem = self.carrier.ready(task.problem, self.variant)
         if problem is None:
             return None
+        right = {e.find: e.values for e in task.expected if e.values}
         try:
             if expected.kind == "formula":
                 return _at_places(problem, self.variant, expected, task, own, way)
             numbers = problem.data.values.get(self.variant, {})
-            right = {e.find: e.values for e in task.expected if e.values}
-            return _carried(problem, (self.variant, -1), numbers, expected, right, own, way)
+            found = _carried(problem, (self.variant, -1), numbers, expected, right, own, way)
         except NoNumber:
-            return None
+            found = None
+        again = self.carrier.again(task, self.variant) if found is None and not way else None
+        if again is None:
+            return found
+        return again.find(expected.find, {n: v for n, v in own.items() if n in right and _is_sane(v, right[n])})
 
 
 Due = tuple[tuple[float, ...], tuple[str, ...]]

@@ -30,6 +30,9 @@ def behind_each(problem: WorkedProblem) -> Behind:
 
 def _pairs(problem: WorkedProblem) -> Iterator[tuple[str, str]]:
     """A find, and one on which it rests."""
+    from planar_cli.homework.followed_again import rests_on
+
+    yield from rests_on(problem)
     for part, found in problem.finds:
         for other in problem.parts:
             if other.replay is None:

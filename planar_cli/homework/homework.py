@@ -63,12 +63,13 @@ def prepared(problem: SetProblem, variants: int, seed: int, formulas: Formulas |
     behind = behind_each(solved if same is None else same.problem)
     made = [replace(_task(problem, solved, d, e), behind=behind) for d, e in zip(draws, asked, strict=True)]
     values = {k: base_numbers(solved.problem, dict(draws[place].values)) for k, place in enumerate(spread)}
+    written = {k: dict(draws[place].values) for k, place in enumerate(spread)}
     solved_alone = (None, *(v.alone for v in drawn.taken))
     alone = {k: own for k, place in enumerate(spread) if (own := solved_alone[place]) is not None}
     return Prepared(
         problem.name,
         tuple(made[place] for place in spread),
-        pickle.dumps(carriable(solved, values, alone) if same is None else carriable(same.problem, values)),
+        pickle.dumps(carriable(solved, values, alone, written) if same is None else carriable(same.problem, values)),
         (*_warnings(problem, drawn, variants), *(f"{problem.name}: {said}" for said in left_out(solved, len(draws)))),
         drawn.tried,
         len(drawn.taken),

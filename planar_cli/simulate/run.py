@@ -36,6 +36,7 @@ from planar_cli.simulate.answers import Answered, Answers
 from planar_cli.simulate.balanced import with_balanced
 from planar_cli.simulate.foretold import demand_unchanged, spoken_before
 from planar_cli.simulate.measures import START, Measures, Moment, modes_of, moments_of
+from planar_cli.simulate.since import Later, Since
 from planar_cli.simulate.stops import first_stop
 from planar_cli.simulate.timetable import breakpoints_of, schedule_of
 from planar_cli.simulate.unbounded import begins_unbounded, departing
@@ -263,20 +264,44 @@ def _demand_later(problem: Problem, schedule: Schedule, t: float) -> None:
             raise NoSolution([Diagnostic(mark, "PL723", text, hint)])
 
 
-def _followed(scene: Prepared, settings: Settings, shift: float, known: _Known) -> Run:
-    """One run."""
+def goes_on(run: Run, state: str, y: tuple[float, ...]) -> Run:
+    """The same motion from a state that it reached on, from other places and velocities `y` there."""
+    moments, first = run.measures.moments, _first(run.problem)
+    order = [first, *(r.name for r in run.trajectory.events)]
+    before = tuple(order[: order.index(state)])
+    here = replace(moments[state], y=y, after=None)
+    kept = {name: moments[name] for name in before} | {state: here}
+    kept[START] = moments[START] if before else here
+    reached = run.trajectory.event(state)
+    choice = run.prepared.start.choice if reached is None else reached.choice
+    since = Since(state, before, Start(here.t, y, choice), kept)
+    return _followed(run.prepared, run.settings, 0.0, _Known(frozenset(), {}, {}), since)
+
+
+def _followed(scene: Prepared, settings: Settings, shift: float, known: _Known, since: Since | None = None) -> Run:
+    """One run; `since`: from a later state on."""
     problem, stages, model, first = scene.problem, scene.stages, scene.model, _first(scene.problem)
     measures = Measures(model, known=known.moments)
     schedule = schedule_of(problem, measures, breakpoints_of(stages.scene))
     events = tuple(replace(e, back=known.back.get(e.name, 0)) for e in schedule.events if e.name not in known.without)
     schedule = replace(schedule, events=events)
-    start = scene.begin(shift)
+    before: tuple[str, ...] = ()
+    if since is None:
+        start = scene.begin(shift)
+        here = Moment(model.regime(), {}, start.t, start.y)
+        measures.moments |= {first: here, START: here}
+    else:
+        first, before, start = since.state, since.before, since.start
+        events = tuple(e for e in events if e.name not in (first, *before))
+        schedule = replace(schedule, start=first, events=events)
+        measures.moments |= since.moments
+        stages.begin(start.t, start.y)
     _demand_later(problem, schedule, start.t)
     until = settings.until if settings.until is not None else _end(schedule, model, start.t, settings)
     if until <= start.t:
         text = f"the motion begins at t = {start.t:g} s, so it can not end at t = {until:g} s"
         raise FileProblem([Diagnostic(Mark(problem.file, 1, 1), "PL704", text, "write a later time behind --until")])
-    names, followers = [first], {e.name for e in events if e.after}
+    names, followers = [*before, first], {e.name for e in events if e.after}
 
     def heard(reached: Reached) -> None:
         striking = reached.name if reached.name in followers else ""
@@ -290,14 +315,12 @@ def _followed(scene: Prepared, settings: Settings, shift: float, known: _Known) 
         found = resolve(Instant(automaton, moment.t, moment.y, choice, "", settings.tolerance))
         return (automaton.model.regime(found.choice), found.state) if isinstance(found, Resolved) else None
 
-    measures.moments[first] = measures.moments[START] = Moment(model.regime(), {}, start.t, start.y)
-
     shown = settings.progress
     free = settings.until is None and not schedule.events and not settings.stops
     most = min(settings.most_steps, FREE_STEPS) if free else settings.most_steps
     setting = Setting(model.scale, settings.tolerance, settings.step, most_steps=most)
     follower = Follower(
-        stages,
+        Later(stages, before) if before else stages,
         start,
         replace(schedule, heard=heard),
         until,
@@ -311,7 +334,7 @@ def _followed(scene: Prepared, settings: Settings, shift: float, known: _Known) 
     )
     began = time.perf_counter()
     trajectory = follower.trajectory()
-    if begins_unbounded(trajectory):
+    if since is None and begins_unbounded(trajectory):
         beside = departing(stages, model, scene.start, first, settings.tolerance)
         if beside is not None:
             return _followed(replace(scene, start=beside), settings, shift, known)
