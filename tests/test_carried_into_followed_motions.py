@@ -83,6 +83,14 @@ def test_the_motion_goes_on_from_an_own_velocity(homework: Homework) -> None:
     assert found["x_3"].carried == ("v_2",)
 
 
+def test_mistakes_are_known_behind_an_earlier_case(homework: Homework) -> None:
+    found = {e.find: {m.name: m.values for m in e.mistakes} for t in homework.papers[0].tasks for e in t.expected}
+    x, v, h = 0.0, 6.0, 1e-4
+    for _ in range(5000):
+        v, x = v - 0.2 * (1 + math.sin(x)) * h, x + v * h
+    assert found["v_2"]["spring-left-out"] == pytest.approx((v,), rel=1e-3)
+
+
 def test_what_does_not_follow_is_not_carried(homework: Homework) -> None:
     found = graded(homework, v_0="5 m/s", v_2="4.4 m/s", t_3="1.5 s")
     assert not found["v_2"].carried

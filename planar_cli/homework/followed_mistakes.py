@@ -42,15 +42,16 @@ def with_followed(
     parts = [(part, finds) for part in problem.parts if (finds := _followed_finds(part))]
     made = list(rows)
     for part, finds in parts:
-        if not _is_followed_the_same(part, finds, problem.problem.us):
+        if not _is_followed_the_same(problem, part, finds, rows[0]):
             continue
         for k, own in enumerate(values):
+            earlier = _earlier(problem, rows[k])
             own_problem = _problem(problem, part, own)
             if own_problem is None:
                 continue
-            wrong = list(_without_effects(own_problem, finds))
+            wrong = list(_without_effects(own_problem, finds, earlier))
             if len(values) <= MOST:
-                wrong += _with_other_data(problem, part, own_problem, own, finds)
+                wrong += _with_other_data(problem, part, own_problem, (own, earlier), finds)
             made[k] = tuple(_with(e, wrong) if e.find in {f.name for f in finds} else e for e in made[k])
     return made
 
@@ -72,8 +73,19 @@ def _followed_finds(part: Part) -> list[Found]:
     return [f for f in part.solution.found if plain and f.values and f.name not in asked and f.kind != "list"]
 
 
-def _is_followed_the_same(part: Part, finds: Sequence[Found], us: bool) -> bool:
-    numbers = _numbers(part.problem, finds)
+def _earlier(problem: WorkedProblem, row: Sequence[Expected]) -> dict[str, float]:
+    """The finds of cases as later cases use them, in base units."""
+    right = {e.find: e.values for e in row}
+    us = problem.problem.us
+    return {
+        f"{p.solution.case}.{f.name}": right[f.name][0] * in_base(f.unit, us)
+        for p, f in problem.finds
+        if len(right.get(f.name, ())) == 1
+    }
+
+
+def _is_followed_the_same(problem: WorkedProblem, part: Part, finds: Sequence[Found], row: Sequence[Expected]) -> bool:
+    us, numbers = problem.problem.us, _numbers(part.problem, finds, _earlier(problem, row))
     for f in finds:
         due = [float(v) / in_base(f.unit, us) for v in f.values or ()]
         got = numbers.get(f.name, ())
@@ -92,32 +104,39 @@ def _problem(problem: WorkedProblem, part: Part, values: Mapping[str, str]) -> P
     return next((c.problem for c in whole.cases if c.name == part.solution.case), whole)
 
 
-def _without_effects(problem: Problem, finds: Sequence[Found]) -> Iterator[tuple[str, str, Numbers]]:
+def _without_effects(
+    problem: Problem, finds: Sequence[Found], earlier: Mapping[str, float]
+) -> Iterator[tuple[str, str, Numbers]]:
     """By mistake: its name, what it says, and what comes out without its effect."""
     known = known_effects(problem)
     for name, kind in members("homework.mistakes").items():
         mistake: Mistake = kind()
         if mistake.effect in known:
             said = f"this is the result without {'the weight' if mistake.effect == 'weight' else mistake.effect}"
-            yield name, said, _numbers(without(problem, [mistake.effect]), finds)
+            yield name, said, _numbers(without(problem, [mistake.effect]), finds, earlier)
 
 
 def _with_other_data(
-    problem: WorkedProblem, part: Part, own: Problem, values: Mapping[str, str], finds: Sequence[Found]
+    problem: WorkedProblem,
+    part: Part,
+    own: Problem,
+    known: tuple[Mapping[str, str], Mapping[str, float]],
+    finds: Sequence[Found],
 ) -> Iterator[tuple[str, str, Numbers]]:
     """By mistake: its name, what it says, and what comes out with its data. `own`: the part with the numbers of a
-    variant, which are `values`.
+    variant; `known`: these, and the finds of earlier cases.
     """
+    values, earlier = known
     for name, said, data in changed_data(own):
         changed = _problem(problem, part, {**values, **data})
         if changed is not None:
-            yield name, said, _numbers(changed, finds)
+            yield name, said, _numbers(changed, finds, earlier)
 
 
-def _numbers(problem: Problem, finds: Sequence[Found]) -> Numbers:
+def _numbers(problem: Problem, finds: Sequence[Found], earlier: Mapping[str, float]) -> Numbers:
     """What the motion answers, in the units of the finds; nothing where it cannot be followed."""
     try:
-        answers = simulate(problem, ONCE, {f.name: f.unit.text for f in finds}).answers
+        answers = simulate(problem, replace(ONCE, values=earlier), {f.name: f.unit.text for f in finds}).answers
     except PlanarError:
         return {}
     units = {f.name: in_base(f.unit, problem.us) for f in finds}

@@ -64,8 +64,6 @@ def named_formula(one: Graded, expected: Expected, text: str) -> Graded:
 
 
 def _told(one: Graded, fits: Sequence[Mistaken]) -> Graded:
-    # A value that is so small that it drops out was rather left out.
-    fits = [m for m in fits if not m.feedback.endswith(LOOK)] or fits
     # Mistakes that come to the same number by the same words are one.
     names = tuple(dict.fromkeys(m.name for m in fits))
     feedback = fits[0].feedback if len(names) == 1 else ""

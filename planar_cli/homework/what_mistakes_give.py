@@ -23,6 +23,8 @@ TELLING = 1.2
 """A mistake is told where it gives a number that is off by so many tolerances: less is right, or may be rounding."""
 SAME = 1e-6
 """Relative: two mistakes that give the same number."""
+VANISHED = 2e-3
+"""Relative: what a datum gives that is a power of ten off, beside what another mistake gives."""
 ZERO = 1e-9
 """In parts of the largest given quantity of its dimension: what rounding leaves of a zero."""
 
@@ -55,6 +57,8 @@ def with_mistakes(
                     (found if clearly else nearly)[k][i].setdefault((name, model.model.feedback, mistaken))
         except NOT_CARRIED_OUT:
             continue
+    for one_found in (f for of_variant in found for f in of_variant):
+        _leave_vanished(one_found)
     for name, kind in members("homework.mistakes").items():
         mistake: Mistake = kind()
         if type(mistake).slips is Mistake.slips:
@@ -72,15 +76,32 @@ def with_mistakes(
     ]
 
 
+def _leave_vanished(found: Found) -> None:
+    """A value that is so small, or so large, that a term drops out was rather left out: that mistake tells more."""
+    off = [m for m in found if m[0] == POWER_OF_TEN]
+    if not off or len(off) == len(found):
+        return
+    others = sorted(m[2] for m in found if m[0] != POWER_OF_TEN)
+    for one in off:
+        if _has_near(others, one[2], VANISHED * math.hypot(*one[2])):
+            del found[one]
+
+
+def _has_near(known: Sequence[tuple[float, ...]], one: tuple[float, ...], least: float) -> bool:
+    """Is one of the sorted ones as near as that?"""
+    place = bisect_left(known, (one[0] - least,))
+    while place < len(known) and known[place][0] <= one[0] + least:
+        if len(known[place]) == len(one) and math.dist(one, known[place]) <= least:
+            return True
+        place += 1
+    return False
+
+
 def _add_slips(found: Found, right: Expected, name: str, mistake: Mistake) -> None:
     """What a step of the solution gives is more to the point than a slip at its end."""
-    known = sorted(m[2] for m in found if len(m[2]) == len(right.values))
+    known = sorted(m[2] for m in found)
     for feedback, slip in mistake.slips(right):
-        least = SAME * math.hypot(*slip)
-        near = bisect_left(known, (slip[0] - least,))
-        while near < len(known) and known[near][0] <= slip[0] + least and math.dist(slip, known[near]) > least:
-            near += 1
-        if near == len(known) or known[near][0] > slip[0] + least:
+        if not _has_near(known, slip, SAME * math.hypot(*slip)):
             insort(known, slip)
             _add(found, right, name, feedback, slip)
 

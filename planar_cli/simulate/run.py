@@ -275,27 +275,28 @@ def goes_on(run: Run, state: str, y: tuple[float, ...]) -> Run:
     reached = run.trajectory.event(state)
     choice = run.prepared.start.choice if reached is None else reached.choice
     since = Since(state, before, Start(here.t, y, choice), kept)
+    run.prepared.stages.begin(here.t, y)
     return _followed(run.prepared, run.settings, 0.0, _Known(frozenset(), {}, {}), since)
+
+
+def _at_first(scene: Prepared, shift: float) -> Since:
+    """From the first state on."""
+    start, first = scene.begin(shift), _first(scene.problem)
+    here = Moment(scene.model.regime(), {}, start.t, start.y)
+    return Since(first, (), start, {first: here, START: here})
 
 
 def _followed(scene: Prepared, settings: Settings, shift: float, known: _Known, since: Since | None = None) -> Run:
     """One run; `since`: from a later state on."""
-    problem, stages, model, first = scene.problem, scene.stages, scene.model, _first(scene.problem)
+    problem, stages, model = scene.problem, scene.stages, scene.model
     measures = Measures(model, known=known.moments)
     schedule = schedule_of(problem, measures, breakpoints_of(stages.scene))
-    events = tuple(replace(e, back=known.back.get(e.name, 0)) for e in schedule.events if e.name not in known.without)
-    schedule = replace(schedule, events=events)
-    before: tuple[str, ...] = ()
-    if since is None:
-        start = scene.begin(shift)
-        here = Moment(model.regime(), {}, start.t, start.y)
-        measures.moments |= {first: here, START: here}
-    else:
-        first, before, start = since.state, since.before, since.start
-        events = tuple(e for e in events if e.name not in (first, *before))
-        schedule = replace(schedule, start=first, events=events)
-        measures.moments |= since.moments
-        stages.begin(start.t, start.y)
+    at = since or _at_first(scene, shift)
+    first, before, start = at.state, at.before, at.start
+    past = (*known.without, *before, first)
+    events = tuple(replace(e, back=known.back.get(e.name, 0)) for e in schedule.events if e.name not in past)
+    schedule = replace(schedule, start=first, events=events)
+    measures.moments |= at.moments
     _demand_later(problem, schedule, start.t)
     until = settings.until if settings.until is not None else _end(schedule, model, start.t, settings)
     if until <= start.t:

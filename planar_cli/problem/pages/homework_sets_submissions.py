@@ -29,8 +29,9 @@ far off, carries nothing.
 
 Between states, speeds, times and places that follow from written equations (energy, momentum, constant acceleration)
 carry into what rests on them. What is read off a motion that is followed in numbers, because no such equations give it,
-is carried into the equations of a later case that uses it as `case.find`. Nothing is carried into what is itself read
-off such a motion: it is not followed again from an own value.
+is carried into the equations of a later case that uses it as `case.find`. Into it the motion itself carries: it is
+followed again with an own value that is one of its data (`case.find` of an earlier case), or goes on with the own place
+or velocity from the state at which that is asked. A motion of more than 20 000 evaluations is not followed again.
 
 An answer with fewer than `figures` figures is told so, and has the credit for `precision`. With `decimal_comma` a
 semicolon parts the components of a vector, `[3,5; -4] m/s`; a point is a decimal point in any case.
