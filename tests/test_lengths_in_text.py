@@ -6,8 +6,8 @@ import math
 
 from test_figures_bodies import drawings
 
-from planar_cli.report.blocks import Value
-from planar_cli.report.marks import Dimension, Slot
+from planar_cli.report.blocks import Name, Value, line
+from planar_cli.report.marks import Arc, Dimension, Slot, Tag
 
 
 def lengths(stem: str) -> list[tuple[str, float]]:
@@ -26,3 +26,11 @@ def test_distances_of_points_that_the_text_gives_are_dimensioned() -> None:
 def test_two_guides_of_a_body_on_one_line_are_one_track() -> None:
     marks = drawings("sliding-door-with-a-seized-roller")["scene"].panels[0].marks
     assert {(m.start, m.end) for m in marks if isinstance(m, Slot)} == {((-2.5, 4.0), (2.5, 4.0))}
+
+
+def test_a_part_is_drawn_well_smaller_than_the_whole() -> None:
+    """`assume: [r < R]`: the centre of the trough is outside the cylinder."""
+    marks = drawings("cylinder-in-a-trough")["scene"].panels[0].marks
+    (rim,) = [m for m in marks if isinstance(m, Arc)]
+    (center,) = [m.at for m in marks if isinstance(m, Tag) and m.words == line(Name("O"))]
+    assert math.dist(center, rim.center) > rim.radius

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
-from decimal import DecimalException
+from decimal import Decimal, DecimalException
 from functools import partial
 from typing import TYPE_CHECKING, Any, cast
 
@@ -23,9 +23,12 @@ from planar_cli.problem.outlines import Outlined, hub_of
 from planar_cli.problem.scene import Problem
 from planar_cli.problem.shapes import drawn_by
 from planar_cli.problem.walk import walk
+from planar_cli.units import LENGTH
 
 FEW = 12
 """So many draws are tried where every try solves the scene."""
+PART = Decimal("0.45")
+"""A length that is assumed to be less than another one is drawn as less than this part of it."""
 LENGTH_OF = "length {}{}"
 """Title of a distance between two points that has a letter."""
 
@@ -109,11 +112,30 @@ class Decided:
     def valuations(self) -> tuple[Valuation, ...]:
         """Numbers for everything known, and for letters draws in which what is assumed holds."""
         if self._valuations is None:
-            self._valuations = self.ledger.valuations(self._agrees) or self.ledger.valuations(self._assumed)
+            self._valuations = self._draws(self._agrees) or self._draws(self._assumed)
             if not self._valuations:
                 raise self._nowhere()
             self.ledger.above_zero = tuple(self._above_zero())
         return self._valuations
+
+    def _draws(self, holds: Callable[[Valuation], bool]) -> tuple[Valuation, ...]:
+        """Draws for which something holds, with lengths well apart where there are such, as in a drawing."""
+        pairs = list(self._unlike())
+
+        def apart(value: Valuation) -> bool:
+            return holds(value) and all(value(less) < PART * value(more) for less, more in pairs)
+
+        return (self.ledger.valuations(apart) if pairs else ()) or self.ledger.valuations(holds)
+
+    def _unlike(self) -> Iterator[tuple[sp.Expr, sp.Expr]]:
+        """The letters of lengths of which `assume` says that one is less than the other."""
+        for relation in self.problem.assume:
+            if isinstance(relation, Relation) and relation.operator in ("<", ">"):
+                sides = self.value(relation.left), self.value(relation.right)
+                less, more = sides if relation.operator == "<" else sides[::-1]
+                units = [self.ledger.units.get(side) for side in (less, more)]
+                if less.is_Symbol and more.is_Symbol and all(u is not None and u.dimension == LENGTH for u in units):
+                    yield less, more
 
     def _above_zero(self) -> Iterator[sp.Expr]:
         """The sums that `assume` says to be positive, and masses of what loses some."""
@@ -184,7 +206,7 @@ class Decided:
         if not self._supposes:
             self._decided[expr] = found
             if not all(self._agrees(v) for v in self.valuations[1:]):
-                self._valuations = self.ledger.valuations(self._agrees) or self._valuations
+                self._valuations = self._draws(self._agrees) or self._valuations
         return found
 
     def _agrees(self, valuation: Valuation) -> bool:
