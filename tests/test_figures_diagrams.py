@@ -15,7 +15,7 @@ from planar_cli.formats._svg import panels, svg
 from planar_cli.formats._tikz import tikz
 from planar_cli.formats.html import Html
 from planar_cli.report.blocks import Document, Drawing, Forces, Inline, Math, Name, Text, line
-from planar_cli.report.marks import Arc, Arrow, Dimension, Figure, Polyline, Symbol, Tag, Turn
+from planar_cli.report.marks import Angle, Arc, Arrow, Dimension, Figure, Polyline, Symbol, Tag, Turn
 
 DASHED = "dashed: direction assumed"
 NOTES = ("", DASHED, f"{DASHED}; found: F_D to the left")
@@ -284,3 +284,19 @@ def test_a_guide_presses_on_an_edge_of_what_slides_in_it_and_holds_with_no_coupl
     (face,) = [m.places for m in wedge if isinstance(m, Polyline) and m.closed]
     assert push.inward
     assert push.at == pytest.approx((0.0, min(y for _, y in face)))
+
+
+def test_the_angle_of_a_radius_stands_in_the_diagram_of_what_it_places() -> None:
+    """From the direction from which the page counts it to a force along the radius, or the way to one at the rim."""
+    ball, bob = (
+        diagrams(stem)[0].panels[0].marks
+        for stem in ("ball-rolling-round-a-loop", "swing-from-which-the-cord-just-holds")
+    )
+    (angle,) = [m for m in ball if isinstance(m, Angle)]
+    (normal,) = [m for m in ball if isinstance(m, Arrow) and plain(m.words[0]) == "N_C"]
+    assert angle.words == line(Name("phi"))
+    assert angle.start == pytest.approx(-math.pi / 2)
+    assert math.cos(angle.start + angle.sweep - normal.angle) == pytest.approx(-1)
+    (angle,) = [m for m in bob if isinstance(m, Angle)]
+    (tension,) = [m for m in bob if isinstance(m, Arrow) and plain(m.words[0]) == "S_cord"]
+    assert math.cos(angle.start + angle.sweep - tension.angle) == pytest.approx(1)

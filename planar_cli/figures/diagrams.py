@@ -12,6 +12,7 @@ from itertools import groupby
 from typing import TypeGuard
 
 from planar_cli.equation.bodies import BodyModel
+from planar_cli.figures.angles_in_diagrams import with_angles
 from planar_cli.figures.broken import NOT_TO_SCALE, broken_together
 from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.found_ways import given_turned, note_of
@@ -94,7 +95,7 @@ def diagram(row: Forces, below: Sequence[Block], solution: Solution) -> Figure |
     panels = [_panel(drawn, row, s, solution) for s in sides]
     signs = "".join(s.sign for s in sides[1:])
     told = note_of(panels, row, solution)
-    centred, cut = broken_together(with_centres(drawn, row, below, panels))
+    centred, cut = broken_together(with_angles(drawn, row, below, with_centres(drawn, row, below, panels)))
     parts = [part for part in (line(row.posed) if row.posed else (), told, line(NOT_TO_SCALE) if cut else ()) if part]
     note = line(*[piece for part in parts for piece in ("; ", *part)][1:])
     return Figure(centred, f"{row.heads[0]} of {row.body}", signs, note=note)
