@@ -16,7 +16,7 @@ from planar_cli.figures.frames import film
 from planar_cli.formats._animated import animated, page
 from planar_cli.homework.checking import read
 from planar_cli.report.film import Film
-from planar_cli.report.marks import Coil, Hatched, Polyline, Symbol
+from planar_cli.report.marks import Coil, Hatched, Polyline, Slot, Symbol
 from planar_cli.simulate.run import Settings, follow
 
 SPACE = "{http://www.w3.org/2000/svg}"
@@ -126,3 +126,11 @@ def test_loads_on_a_rope_over_a_pulley_are_blocks_in_a_film_too() -> None:
     shots = [m for t in film_of("winch-with-counterweight").things for m in t.shots[0]]
     blocks = [m for m in shots if isinstance(m, Symbol) and m.kind == "block"]
     assert [math.cos(block.angle) for block in blocks] == [pytest.approx(-1.0)] * 2
+
+
+def test_a_guide_that_holds_nothing_is_in_no_film_and_springs_lie_side_by_side() -> None:
+    marks = [m for thing in film_of("weight-dropped-on-nested-springs").things for m in thing.shots[0]]
+    assert not [m for m in marks if isinstance(m, Slot) or (isinstance(m, Symbol) and m.kind == "slider")]
+    assert [m.at for m in marks if isinstance(m, Symbol) and m.kind == "block"]
+    one, other = (m.lane for m in marks if isinstance(m, Coil))
+    assert one == -other != 0

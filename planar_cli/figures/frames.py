@@ -20,7 +20,9 @@ from planar_cli.figures.partners import is_lane, is_slot, partners, sketch_of, s
 from planar_cli.figures.posed import Posed, variables_of
 from planar_cli.figures.rings import extent_of, side_of, way_of
 from planar_cli.figures.shapes import body_marks, moved
+from planar_cli.figures.springs import settled
 from planar_cli.figures.surfaces import surface_marks
+from planar_cli.figures.unguided import is_idle, led_blocks
 from planar_cli.figures.within import within
 from planar_cli.motion.curves import Formula, formula_of
 from planar_cli.problem.entry import Entry
@@ -102,7 +104,7 @@ class _Stage:
         """Surfaces, bodies, what joins and moves them, points with their names."""
         first_pose, models = self.poses[0], [self.poses[0].model(b) for b in self.problem.bodies]
         lie = {n: (first_pose.spot(self.scene.center(n)), a) for n, a in lying(first_pose).items()}
-        standing = hanging(first_pose)
+        standing = {**led_blocks(first_pose), **hanging(first_pose)}
         standing |= {n: Symbol("block", spot, angle) for n, (spot, angle) in lie.items() if spot is not None}
         shaped = frozenset[str]().union(*(edges(first_pose, model) for model in models))
         for surface in self.problem.surfaces:
@@ -120,6 +122,7 @@ class _Stage:
                     block = Symbol("block", mark.places[0], along)
                     standing |= dict.fromkeys(sliders(self.problem, surface), block)
         entries = [(entry, self._sketched(entry)) for entry in (*self.problem.joints, *self.problem.loads)]
+        entries = [*zip((e for e, _ in entries), self._settled([shots for _, shots in entries], standing), strict=True)]
         first = [m for _, shots in entries for m in shots[0]]
         sliding = {m.at for m in first if isinstance(m, Symbol) and m.kind in ("slider", "rail", "block")}
         for body in self.problem.bodies:
@@ -206,13 +209,29 @@ class _Stage:
 
     def _sketched(self, entry: Entry) -> list[tuple[Mark, ...]]:
         """What a joint or load looks like at each moment; nothing while it does not act."""
-        hung, name = hanging(self.poses[0]), line(entry.name)
-        sketches = [s for s in sketch_of(self.poses[0], entry) if not hangs_along(self.poses[0], s, hung)]
+        first, name = self.poses[0], line(entry.name)
+        hung = hanging(first)
+        held = (s for s in sketch_of(first, entry) if not hangs_along(first, s, hung))
+        sketches = [s for s in held if not is_idle(first, entry, s)]
         shots = [
             tuple(m for s in sketches for m in sketch_marks(pose, s, name)) if self._acts(entry, t) else ()
             for t, pose in zip(self.times, self.poses, strict=True)
         ]
         return list(_with_still_floors(shots))
+
+    def _settled(
+        self, sketched: Sequence[list[tuple[Mark, ...]]], standing: Mapping[str, Symbol]
+    ) -> Iterator[list[tuple[Mark, ...]]]:
+        """Springs and dampers beside each other and up to the bodies that they hold, at each moment."""
+        whole = []
+        for k, pose in enumerate(self.poses):
+            bodies = [m for b in self.problem.bodies for m in self._body(pose, b, standing)]
+            whole.append(list(settled([*(m for shots in sketched for m in shots[k]), *bodies])))
+        begun = [0] * len(self.poses)
+        for shots in sketched:
+            ends = [begin + len(marks) for begin, marks in zip(begun, shots, strict=True)]
+            yield [tuple(marks[a:b]) for marks, a, b in zip(whole, begun, ends, strict=True)]
+            begun = ends
 
     def _acts(self, entry: Entry, t: float) -> bool:
         if entry.during is None:

@@ -27,12 +27,11 @@ def is_idle(drawn: Drawn, entry: Entry, sketch: Sketch) -> bool:
     """Does a guide hold nothing, as all that acts on what it leads acts along it?"""
     if not isinstance(sketch, Slide) or not sketch.grounded or sketch.drawn or not _is_smooth(drawn, entry):
         return False
-    body = drawn.scene.bodies.get(sketch.body or "")
+    written = next((b for b in drawn.scene.problem.bodies if b.name == sketch.body), None)
     at, along = drawn.spot(sketch.at), drawn.angle(sketch.along)
-    if body is None or not isinstance(body.shape, Particle) or at is None or along is None:
+    if written is None or not isinstance(written.shape, Particle) or at is None or along is None:
         return False
-    written = next(b for b in drawn.scene.problem.bodies if b.name == body.name)
-    if any(_leans(drawn, joint, body.name) for joint in drawn.scene.problem.joints if joint is not entry):
+    if any(_leans(drawn, joint, written.name) for joint in drawn.scene.problem.joints if joint is not entry):
         return False
     others = [s for other in _entries(drawn) if other is not entry for s in sketch_of(drawn, other)]
     drawn_out = written.is_massless and any(_ends_at(drawn, s, at) for s in others)
