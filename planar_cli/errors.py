@@ -91,6 +91,14 @@ class Unplanned(Undecided):
         super().__init__("; ".join(d.message for d in self.diagnostics))
 
 
+class UndecidedFiles(Undecided):
+    """Of several files one at least was not decided; located diagnostics tell of all with which something is wrong."""
+
+    def __init__(self, diagnostics: Iterable[Diagnostic]) -> None:
+        self.diagnostics = tuple(diagnostics)
+        super().__init__("; ".join(d.message for d in self.diagnostics))
+
+
 class TimeIsUp(BaseException):
     """Like KeyboardInterrupt it is no Exception: no road that looks for another way out may take it for a failure of
     its own, or what is printed would depend on the clock.

@@ -54,7 +54,7 @@ def test_a_fault_has_its_exit_status(
 def test_a_limit_is_no_fault(path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     demand_no_fault([("a.yaml", Ended("timeout", "60 s", 60.0)), ("b.yaml", Ended("ok", None, 0.0))])
     monkeypatch.setattr(Supervisor, "run", ended("timeout"))
-    assert run(["key", str(path)]) == 2
+    assert run(["key", str(path)]) == 3
 
 
 def failing(*_: object) -> None:

@@ -150,13 +150,20 @@ def test_what_steers_becomes_escapes() -> None:
     assert harmless("\u200b\u2060\ufeff\u2028\u00ad") == r"\u200b\u2060\ufeff\u2028\xad"
     cells = {
         "=1": "'=1",
-        "+1": "'+1",
+        "+1": "+1",
         "-v": "'-v",
         "@x": "'@x",
         "v-w": "v-w",
         "\uff1d1": "'\uff1d1",
         " =1": " '=1",
         "a; =b": "a; '=b",
+        "-4.38 rad/s cw": "-4.38 rad/s cw",
+        "-2,5 m/s^2; -3": "-2,5 m/s^2; -3",
+        "+1.2e-3 N*m": "+1.2e-3 N*m",
+        "-1+cmd|' /C calc'!A0": "'-1+cmd|' /C calc'!A0",
+        "-1 (m/s)": "'-1 (m/s)",
+        "-2*v_0": "'-2*v_0",
+        "-3; =1": "-3; '=1",
     }
     assert {text: spreadsheet_cell(text) for text in cells} == cells
 

@@ -8,7 +8,7 @@ import pickle
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
-from planar_cli.errors import Diagnostic, FileProblem, NoSolution, PlanarError
+from planar_cli.errors import Diagnostic, FileProblem, PlanarError, Undecided, UndecidedFiles
 from planar_cli.homework.carried_errors import carriable
 from planar_cli.homework.dependence import behind_each
 from planar_cli.homework.followed_mistakes import left_out, with_followed
@@ -34,6 +34,7 @@ from planar_cli.problem.nodes import Mapping as MappingNode
 from planar_cli.problem.nodes import Scalar
 from planar_cli.problem.placeholders import PLACEHOLDER, put_in, told
 from planar_cli.problem.variations import with_first_values
+from planar_cli.records import record
 
 FEW = 0.5
 """A lower rate of fit combinations is worth a warning."""
@@ -211,7 +212,8 @@ def made_ready(
     formulas: Formulas | None = None,
 ) -> Homework:
     """A set made ready on several workers, which import `press` and `formulas` by their names; `counter`: of a total,
-    hears how many are done. PlanarError: a problem of it is no good; Fault: planar failed over one.
+    hears how many are done. FileProblem: a problem of it is no good; UndecidedFiles: one is not decided within the
+    limits; Fault: planar failed over one.
     """
     from planar_cli.homework.supervisor import Supervisor, demand_no_fault
 
@@ -219,30 +221,37 @@ def made_ready(
     ended = Supervisor(_attempt, jobs, timeout, counter(len(items), "problems solved")).run(items)
     found: list[Prepared] = []
     wrong: list[Diagnostic] = []
+    undecided = False
     demand_no_fault(zip((p.path for p in homework.problems), ended, strict=True))
     for problem, end in zip(homework.problems, ended, strict=True):
         if isinstance(end.result, Prepared):
             found.append(end.result)
             continue
-        diagnostics, text = end.result if isinstance(end.result, tuple) else ((), str(end.result))
+        failed = end.result if isinstance(end.result, Failed) else Failed((), str(end.result), True)
+        text, hint = failed.text, ""
         if end.verdict == "timeout":
             variants = f" and its {homework.variants} variants" if homework.variants else ""
-            text = f"the problem{variants}: {text}"
-            diagnostics = (Diagnostic(problem.mark, "PL803", f"{problem.path}: {text}", "`--timeout 0` sets no limit"),)
-        wrong += diagnostics or [Diagnostic(problem.mark, "PL803", f"{problem.path}: {text}")]
+            text, hint = f"the problem{variants}: {text}", "`--timeout 0` sets no limit"
+        undecided |= failed.undecided
+        wrong += failed.diagnostics or [Diagnostic(problem.mark, "PL803", f"{problem.path}: {text}", hint)]
     if wrong:
-        raise FileProblem(wrong)
+        raise UndecidedFiles(wrong) if undecided else FileProblem(wrong)
     if press is not None:
         found = with_pages(homework, found, press, (jobs, timeout), lambda total: counter(total, "pages made"))
     return assembled(homework, found)
 
 
-def _attempt(
-    item: tuple[SetProblem, int, int, Formulas | None],
-) -> Prepared | tuple[tuple[Diagnostic, ...], str]:
+@record
+class Failed:
+    """Why a problem could not be made ready; `undecided`: within the limits nothing was found."""
+
+    diagnostics: tuple[Diagnostic, ...]
+    text: str
+    undecided: bool = False
+
+
+def _attempt(item: tuple[SetProblem, int, int, Formulas | None]) -> Prepared | Failed:
     try:
         return prepared(*item)
-    except (FileProblem, NoSolution) as error:
-        return error.diagnostics, str(error)
     except PlanarError as error:
-        return (), str(error)
+        return Failed(getattr(error, "diagnostics", ()), str(error), isinstance(error, Undecided))

@@ -8,7 +8,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import Protocol
 
-from planar_cli.errors import Diagnostic, FileProblem, PlanarError
+from planar_cli.errors import Diagnostic, FileProblem, PlanarError, UndecidedFiles
 from planar_cli.homework.marked_solution import plainly_read
 from planar_cli.homework.paper import Printed
 from planar_cli.homework.ready import Prepared, Values
@@ -55,21 +55,23 @@ def with_pages(
     ended = Supervisor(_page, jobs, timeout, counter(len(items))).run(list(items.values()))
     demand_no_fault(zip((path for path, _ in items), ended, strict=True))
     made = dict(zip(items, ended, strict=True))
-    found, wrong = [], []
+    found, wrong, undecided = [], [], False
     for problem, ready in zip(homework_set.problems, problems, strict=True):
         tasks = list(ready.tasks[:first])
         for variant, (task, values) in enumerate(zip(ready.tasks[first:], ready.values[first:], strict=True), first):
-            result = made[problem.path, values].result
+            page = made[problem.path, values]
+            result = page.result
             if isinstance(result, Made):
                 tasks.append(replace(task, scene=result.scene, worked=result.worked))
                 continue
             text = f"{problem.path}: the page of {f'variant {variant}' if variant else 'the file'}: {result}"
-            hint = "`--timeout 0` sets no limit" if made[problem.path, values].verdict == "timeout" else ""
+            hint = "`--timeout 0` sets no limit" if page.verdict == "timeout" else ""
+            undecided |= page.verdict != "ok"
             wrong.append(Diagnostic(problem.mark, "PL803", text, hint))
             break
         found.append(replace(ready, tasks=tuple(tasks)))
     if wrong:
-        raise FileProblem(wrong)
+        raise UndecidedFiles(wrong) if undecided else FileProblem(wrong)
     return found
 
 

@@ -9,9 +9,11 @@ from planar_cli.errors import Diagnostic
 
 WIDTH = 110
 MAX_TEXT = 600
-FORMULA = re.compile(r"(^\s*|;\s*)(?=[-=+@\uff0d\uff1d\uff0b\uff20])")
+_NUMBER = r"[-+](\d+([.,]\d*)?|[.,]\d+)([eE][-+]?\d+)?(\s*[A-Za-zµμ°%][\w µμ°%·*/^²³⁻]*)?"
+FORMULA = re.compile(rf"(^\s*|;\s*)(?!{_NUMBER}\s*(;|$))(?=[-=+@\uff0d\uff1d\uff0b\uff20])")
 """Where a cell begins with one of these, or their wide forms, some spreadsheet takes it for a formula, also behind
-spaces; a semicolon begins a cell too in countries with a decimal comma."""
+spaces; a semicolon begins a cell too in countries with a decimal comma. A negative number, also with its unit, is none.
+"""
 
 
 def show_diagnostic(diagnostic: Diagnostic, source_text: str) -> str:
@@ -57,7 +59,12 @@ def paragraphs_of(text: str) -> list[str]:
 
 def spreadsheet_cell(text: str) -> str:
     """A cell of words that no spreadsheet takes for a formula."""
-    return FORMULA.sub(r"\g<0>'", harmless(text, kept=""))
+    return guarded(harmless(text, kept=""))
+
+
+def guarded(text: str) -> str:
+    """Words with an apostrophe where some spreadsheet would take them for a formula."""
+    return FORMULA.sub(r"\g<0>'", text)
 
 
 def _visible_character(character: str) -> str:

@@ -9,16 +9,15 @@ import unicodedata
 from collections.abc import Iterable, Sequence
 from html import escape
 
-from planar_cli.problem.show import paragraphs_of
+from planar_cli.problem.show import guarded, paragraphs_of
 
 LONGEST_NAME = 64
 _RESERVED = re.compile(r"con|prn|aux|nul|com[0-9]|lpt[0-9]")
-# Formulas begin with these; braces hold the placeholders of templates and the boxes of cloze questions.
+# Braces hold the placeholders of templates and the boxes of cloze questions.
 _MATH = re.compile(r"[$\\]")
 _BRACES = str.maketrans({"{": "&#123;", "}": "&#125;"})
-_BEGINS_FORMULA = ("=", "+", "-", "@", "\t", "\r", "\n", "\0")
+_CONTROL = ("\t", "\r", "\n", "\0")
 _ODD = re.compile(r"[^\t\n -~]")
-_NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)([eE][+-]?\d+)?")
 
 
 def clean(text: str) -> str:
@@ -100,5 +99,4 @@ def table(rows: Iterable[Sequence[str | float]], excel: bool) -> bytes:
 def _cell(value: str | float) -> str:
     if not isinstance(value, str):
         return number(value)
-    formula = value.startswith(_BEGINS_FORMULA) and not _NUMBER.fullmatch(value)
-    return ("'" if formula else "") + clean(value)
+    return "'" + clean(value) if value.startswith(_CONTROL) else guarded(clean(value))
