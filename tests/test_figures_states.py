@@ -315,3 +315,11 @@ def test_opposite_arrows_on_one_line_have_one_side_each() -> None:
     comes, force = (m for m in marks_of("jet-on-a-vane") if isinstance(m, Arrow) and m.at == (0.0, 0.0))
     assert (comes.inward, force.inward) == (True, False)
     assert comes.aside == force.aside > 0
+
+
+def test_a_straight_path_of_a_linkage_is_drawn_as_far_as_it_goes() -> None:
+    marks = marks_of("straight-line-linkage-of-peaucellier")
+    (way,) = (m.places for m in marks if isinstance(m, Polyline) and m.style == "way")
+    assert [x for x, _ in way] == pytest.approx([0.54] * len(way))
+    (p,) = (m.at for m in marks if isinstance(m, Tag) and m.words == line(Name("P")))
+    assert way[0][1] < p[1] < way[-1][1] or way[0][1] > p[1] > way[-1][1]

@@ -99,6 +99,7 @@ def arrangement(part: PartSolution, whole: Mapping[str, tuple[Spot, ...]]) -> Pa
         bodies = drawn.scene.bodies
         particles = [name for name, body in bodies.items() if isinstance(body.shape, Particle)]
         curves = [whole.get(name) or curve_of(drawn, name) or course_of(drawn, name) for name in particles]
+        curves += [way for name, way in whole.items() if name in drawn.scene.points]
         ways = [Polyline(curve, "way") for curve in curves if len(curve) > 1]
         marks = tuple(_marks(drawn, moving, problem))
         return _panel((*marks, *ways, *_pole(drawn, marks, ways), *_arms(drawn, particles)))

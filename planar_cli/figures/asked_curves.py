@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from itertools import takewhile
 
 import sympy as sp
 
@@ -25,7 +26,8 @@ from planar_cli.solve.between.trace import MotionTrace
 from planar_cli.solve.solution import Found
 from planar_cli.solve.solved_problem import PartSolution
 
-STEPS = 120
+STEPS, FEW, LEAST = 120, 10, 0.1
+"""Places of a curve, and of a straight one; in these parts of it at least it is told."""
 ASIDE = 0.15
 """So near to an axis, in parts of a quarter of a turn, no point is drawn."""
 PATH, HODOGRAPH = "path", "hodograph"
@@ -86,8 +88,10 @@ def _course(part: PartSolution, found: Found) -> Course | None:
     known = _known(part.motion, curve.parameter)
     curves = [f.curve.kind for f in part.found if f.curve is not None and f.curve.parameter == curve.parameter]
     low, high = at.span([p for _, p in known], PARABOLA in curves)
-    way = tuple(s for i in range(STEPS + 1) if (s := at(low + (high - low) * i / STEPS)) is not None)
-    if len(way) < STEPS:
+    # A straight line needs no more than its ends.
+    steps = FEW if curve.kind.startswith(LINE) else STEPS
+    way = at.through(low, high, steps)
+    if len(way) < LEAST * steps:
         return None
     own = known or ((("", at.drawn_at(high)),))
     return Course(found, asked, way, tuple((n, s) for n, p in own if (s := at(p)) is not None))
@@ -127,6 +131,24 @@ class _Along:
             return first, first + (last - first) * (FURTHER if is_parabola else 1.0)
         end = abs(self.drawn_at(0.0) if not known else known[0]) * FURTHER
         return 0.0, turn or end or 1.0
+
+    def through(self, low: float, high: float, steps: int) -> tuple[Spot, ...]:
+        """The curve from one value to another; of a linkage that does not go all the way round, as far as it goes from
+        where it is drawn.
+        """
+        drawn = self.drawn.number(self.parameter)
+        spots = self._spots(low, high, steps) if steps > FEW or drawn is None else []
+        if drawn is None or (spots and None not in spots):
+            return tuple(s for s in spots if s is not None)
+        half = (high - low) / 2
+        spots = self._spots(drawn - half, drawn + half, steps)
+        middle = steps // 2
+        before = takewhile(lambda s: s is not None, spots[middle::-1])
+        after = takewhile(lambda s: s is not None, spots[middle + 1 :])
+        return tuple(s for s in (*[*before][::-1], *after) if s is not None)
+
+    def _spots(self, low: float, high: float, steps: int) -> list[Spot | None]:
+        return [self(low + (high - low) * i / steps) for i in range(steps + 1)]
 
     def drawn_at(self, high: float) -> float:
         """The parameter where the point is drawn; on a curve with waves not on an axis, where nothing is seen apart."""
