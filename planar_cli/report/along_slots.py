@@ -183,10 +183,12 @@ def by_angle(way: Sequence[Decimal], along: Sequence[Decimal]) -> Line:
     degrees = math.degrees(math.atan2(float(along[1]), float(along[0])))
     if abs(degrees - round(degrees)) > ROUND or round(degrees) % 90 == 0:
         return ()
-    angle, turn = f"{round(degrees)}°", along[0] * way[1] - along[1] * way[0]
+    turn = along[0] * way[1] - along[1] * way[0]
+    cos, sin = f"cos {abs(round(degrees))}°", f"sin {abs(round(degrees))}°"
+    sin, back = (sin, f"-{sin}") if degrees > 0 else (f"-{sin}", sin)
     if abs(turn) < NEARLY:
-        return line(f"[cos {angle}, sin {angle}] = ")
-    return line(f"[-sin {angle}, cos {angle}] = " if turn > 0 else f"[sin {angle}, -cos {angle}] = ")
+        return line(f"[{cos}, {sin}] = ")
+    return line(f"[{back}, {cos}] = " if turn > 0 else f"[{sin}, -{cos}] = ")
 
 
 def along_unit_vector(told: Told, slot: Slot) -> Line:

@@ -18,6 +18,7 @@ from planar_cli.equation.plain import longer, simplified
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import ALL
+from planar_cli.report.as_placed import with_arm
 from planar_cli.report.asked_energy import kinetic_energy
 from planar_cli.report.asked_letters import closed_letter, is_second_rate, is_solved
 from planar_cli.report.asked_places import PlaceTelling, place_asked, place_name
@@ -282,7 +283,7 @@ class AskedTelling:
             yield from self.vectors.along(body)
             put = self._slid_in_numbers(body, at, level)
             sides = (line(Name(f"{level[0]}_{index_of(place)}")), found[0], *([put] if put else []))
-            yield from self._once(key, sides, vector, level, found[1])
+            yield from self._once(key, sides, vector, level, found[1], bool(put))
 
     def _slid_in_numbers(self, body: str, at: Vec, level: str) -> Line:
         """The components of what slides along a body that turns, with their numbers."""
@@ -306,7 +307,7 @@ class AskedTelling:
         if is_given(vector, self.instant, self.phrases):
             yield from self._once(f"{level} {place}", sides[:1], vector, level, line(GIVEN))
             return
-        yield from self._once(f"{level} {place}", (*sides, told) if told else sides, vector, level, note)
+        yield from self._once(f"{level} {place}", (*sides, told) if told else sides, vector, level, note, bool(told))
 
     def _joined(self, edge: Edge, level: str) -> Iterator[Block]:
         """The point at which a body is joined, from which its others are reached."""
@@ -317,14 +318,17 @@ class AskedTelling:
             yield from self._along_body(edge.body, place, level, at)
             yield from self._body_point(edge.parent, at, place, level)
 
-    def _once(self, key: str, sides: tuple[Line, ...], vector: Vec, level: str, note: Line = ()) -> Iterator[Block]:
+    def _once(
+        self, key: str, sides: tuple[Line, ...], vector: Vec, level: str, note: Line = (), put: bool = False
+    ) -> Iterator[Block]:
+        """`put`: the note is an arm whose numbers stand in the sides."""
         if key not in self._told | self.vectors.valued:
             self._told.add(key)
             self._shown[key] = vector
             nothing = dict.fromkeys(self.vectors.zero, sp.S.Zero) if self.phrases.symbolic else {}
             vector = Vec(*(sp.sympify(p).xreplace(nothing) for p in (vector.x, vector.y))) if nothing else vector
             value = vector_of(vector, VELOCITY if level == "velocity" else ACCELERATION, self.phrases)
-            yield Equation((*sides, value) if value else sides, None, note=note)
+            yield from with_arm((*sides, value) if value else sides, put, note)
 
     def _between(self, one: str, other: str, word: str) -> Iterator[Block]:
         """v_A/B = v_A - v_B."""

@@ -13,6 +13,7 @@ from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.plain import longer
 from planar_cli.problem.facts import Joining
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
@@ -39,6 +40,9 @@ from planar_cli.report.told import RATES, Across, Told
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.written import Written
 from planar_cli.units import LENGTH, PURE, Dimension
+
+FEW = 3
+"""Operations at most in a component of a unit vector that is told in letters."""
 
 Known = tuple[str, Vec]
 """The name of a vector whose components are numbers, and these."""
@@ -260,10 +264,14 @@ def _along(unit: list[Decimal], known: Sequence[Known], dimension: Dimension, ph
 
 
 def unit_of(direction: Vec, phrases: Phrases) -> Line:
-    """A unit vector in letters or numbers."""
+    """A unit vector in letters or numbers, with the sines of its angle before these."""
+    letters = line("[", phrases.math(direction.x), ", ", phrases.math(direction.y), "]")
     if phrases.symbolic:
-        return line("[", phrases.math(direction.x), ", ", phrases.math(direction.y), "]")
-    return phrases.vector(phrases.certain(direction.x), phrases.certain(direction.y), PURE)
+        return letters
+    unit = (phrases.certain(direction.x), phrases.certain(direction.y))
+    plain = all(sp.sympify(p).free_symbols and not longer(p, FEW) for p in (direction.x, direction.y))
+    way = line(*letters, " = ") if plain else by_angle(unit, unit)
+    return line(*way, *phrases.vector(*unit, PURE))
 
 
 def _carried(unit: Sequence[Decimal], vector: Vec, level: str, told: Told) -> tuple[sp.Symbol, Decimal] | None:

@@ -22,6 +22,7 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
 from planar_cli.report.along_path import across_path, is_along_path, on_path
 from planar_cli.report.along_slots import coriolis_told, unit_beside
+from planar_cli.report.as_placed import arm_name, as_placed, with_arm
 from planar_cli.report.blocks import Block, Equation, Line, Name, Paragraph, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.coincident import coincident
@@ -222,7 +223,7 @@ class VectorTelling:
             sides = (line(Name(f"{level[0]}_{index_of(place)},{index_of(body)}")), sides[1]) if apart else sides
             if level == "velocity" and self.rests(edge, level):
                 yield from touches_at_rest(edge, self.system, self._told)
-            yield Equation((*sides, *value), None, note=self.arm_once(place, edge, arm))
+            yield from with_arm((*sides, *value), bool(value), self.arm_once(place, edge, arm))
 
     def _tied(self, edge: Edge, level: str) -> Iterator[Block]:
         """Of a point on a taut cord that starts from rest: in which direction it has an acceleration."""
@@ -315,13 +316,12 @@ class VectorTelling:
         joining = self.edges[body].joining
         if joining is not None and joining.path is not None and f"e {joining.base}" not in self._told:
             self._told.add(f"e {joining.base}")
-            yield Equation(
-                (line(Name("e")), unit_of(joining.path.tangent, self.phrases)), None, note=line(f"along {joining.base}")
-            )
+            sides = (line(Name("e")), unit_of(joining.path.tangent, self.phrases))
+            yield Equation(sides, None, note=line(f"along {joining.base}"))
 
     def _turning(self, body: str, place: str, reference: str, level: str) -> Iterator[tuple[str, Line]]:
         """ω × r, or α × r and ω² r, where they are not zero."""
-        arm = _arm_name(place, reference)
+        arm = arm_name(place, reference)
         omega = self._symbol(body, "velocity")
         if level == "velocity":
             if omega != 0:
@@ -373,11 +373,11 @@ class VectorTelling:
 
     def _arm(self, place: str, reference: str, arm: Vec) -> Line:
         """The arm in numbers, or in letters where they are short."""
-        name = _arm_name(place, reference)
+        name = arm_name(place, reference)
         plain = not sp.sympify(arm.x).free_symbols | sp.sympify(arm.y).free_symbols
         if plain or (not self.phrases.symbolic and all(self.phrases.has_numbers(p) for p in (arm.x, arm.y))):
             shown = self.phrases.vector(self.phrases.certain(arm.x), self.phrases.certain(arm.y), LENGTH)
-            made = self._constructed(arm)
+            made = self._constructed(arm) or (as_placed(place, reference, arm, self.system.scene, self.phrases))
             half = half_of(name.name, arm, self._reaches) if made else ()
             self._reaches[name.name] = arm
             return line(name, " = ", *(half or made), *shown)
@@ -394,7 +394,3 @@ class VectorTelling:
         if any(longer(p, SHORT) or not is_clean(ledger, p, dimension=LENGTH) for p in parts):
             return ()
         return line("[", self.phrases.math(parts[0]), ", ", self.phrases.math(parts[1]), "] = ")
-
-
-def _arm_name(place: str, reference: str) -> Name:
-    return Name(f"r_{index_of(place.rstrip('′'))}/{index_of(reference)}")
