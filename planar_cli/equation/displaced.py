@@ -19,6 +19,7 @@ from planar_cli.equation.expansion import expanded
 from planar_cli.equation.line_of_centres import line_of_centres
 from planar_cli.equation.motion import Edge, Tree
 from planar_cli.equation.outlines import is_straight, round_center
+from planar_cli.equation.placed_from import placed_from
 from planar_cli.equation.plain import derivative, simplified
 from planar_cli.equation.pose import HERE, Pose
 from planar_cli.equation.sample import anywhere
@@ -26,7 +27,7 @@ from planar_cli.equation.scene import Scene
 from planar_cli.equation.swaying import sent_aside
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.going import AGAINST
-from planar_cli.problem.scene import GROUND, Circle, Curve, Line, Polar, Round
+from planar_cli.problem.scene import GROUND, Circle, Curve, Line, Round
 from planar_cli.records import changing
 
 ZERO = sp.S.Zero
@@ -74,13 +75,7 @@ class Displacer:
 
     def _origin(self, body: str) -> tuple[str, str]:
         """The other body, and its point, from which the file places a body with its coordinates; the ground if none."""
-        if body not in self.formula:
-            return GROUND, ""
-        shape = self.scene.bodies[body].shape
-        names = [getattr(shape, k, None) for k in ("place", "start", "center")]
-        places = {p.name: p.place for p in self.scene.problem.points}
-        found = [p.origin for n in names if isinstance(n, str) and isinstance(p := places.get(n), Polar)]
-        return (self.scene.owner(found[0], body), found[0]) if found else (GROUND, "")
+        return placed_from(self.scene, body) if body in self.formula else (GROUND, "")
 
     def _coordinate(
         self,
