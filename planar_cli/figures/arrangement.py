@@ -48,7 +48,7 @@ from planar_cli.figures.unguided import is_idle, led_blocks
 from planar_cli.figures.within import within
 from planar_cli.joints.base import Joint
 from planar_cli.loads.base import Load
-from planar_cli.problem.scene import Circle, Line, Particle, Problem, Round, Surface
+from planar_cli.problem.scene import GROUND, Circle, Line, Particle, Problem, Round, Surface
 from planar_cli.problem.sketches import Cord, Slide
 from planar_cli.report.blocks import Name, line
 from planar_cli.report.marks import (
@@ -99,7 +99,7 @@ def arrangement(part: PartSolution, whole: Mapping[str, tuple[Spot, ...]]) -> Pa
         bodies = drawn.scene.bodies
         particles = [name for name, body in bodies.items() if isinstance(body.shape, Particle)]
         curves = [whole.get(name) or curve_of(drawn, name) or course_of(drawn, name) for name in particles]
-        curves += [way for name, way in whole.items() if name in drawn.scene.points]
+        curves += [way for name, way in whole.items() if drawn.scene.owner(name) not in (GROUND, *particles)]
         ways = [Polyline(curve, "way") for curve in curves if len(curve) > 1]
         marks = tuple(_marks(drawn, moving, problem))
         return _panel((*marks, *ways, *_pole(drawn, marks, ways), *_arms(drawn, particles)))
