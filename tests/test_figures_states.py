@@ -323,3 +323,14 @@ def test_a_straight_path_of_a_linkage_is_drawn_as_far_as_it_goes() -> None:
     assert [x for x, _ in way] == pytest.approx([0.54] * len(way))
     (p,) = (m.at for m in marks if isinstance(m, Tag) and m.words == line(Name("P")))
     assert way[0][1] < p[1] < way[-1][1] or way[0][1] > p[1] > way[-1][1]
+
+
+def test_an_edge_that_a_body_strikes_is_a_step_in_the_ground() -> None:
+    """A kerb of the height that is given; a sill before a lower corner; neither has a pin."""
+    for stem, rises in (("wheel-over-a-kerb", 0.06), ("box-that-tips-over", None)):
+        marks = marks_of(stem)
+        (ground,) = [m.places for m in marks if isinstance(m, Hatched)]
+        assert not any(isinstance(m, Symbol) and m.kind == "support" for m in marks), stem
+        assert ground[0][1] == ground[1][1], stem
+        assert ground[1][0] == ground[2][0] > ground[0][0], stem
+        assert ground[-1][1] - ground[0][1] == pytest.approx(rises or 0.0), stem

@@ -179,3 +179,13 @@ def test_mass_centres_have_a_polygon_of_their_own_where_one_is_full() -> None:
     assert {"a_A", "a_B"} <= pins.keys()
     assert not any(name.startswith("a_G") for name in pins)
     assert {"a_A", "a_G,crank", "a_G,AB"} <= centres.keys()
+
+
+def test_a_polygon_that_would_be_tiny_beside_that_of_another_state_has_its_own_scale() -> None:
+    """The puck's accelerations grow 81 times."""
+    first, last = (f for f in figures("puck-drawn-in-through-a-hole") if f.name == "accelerations")
+    assert [told(p.head) for f in (first, last) for p in f.panels] == [
+        f"polygon of accelerations in state {s}, pole o" for s in ("1", "2")
+    ]
+    assert told(first.note) == "to a larger scale than the others"
+    assert last.note == ()

@@ -12,6 +12,7 @@ from planar_cli.figures.belts import belt_marks, frame_marks
 from planar_cli.figures.carried import shifted
 from planar_cli.figures.deflected import angles_there, at_equilibrium, deflected, swings_alone
 from planar_cli.figures.drawn import Drawn
+from planar_cli.figures.edges_struck import step_of
 from planar_cli.figures.floors import blocks_on_faces
 from planar_cli.figures.given_motion import Found, Moving, Told, arrows_apart, given_motion_marks
 from planar_cli.figures.hanging import hanging, hangs_along, under_axles
@@ -217,7 +218,8 @@ def _sketched(
     for entry in (*problem.joints, *_loads(problem, whole)):
         for sketch in sketch_of(drawn, entry):
             if not (hangs_along(drawn, sketch, hung) or is_idle(drawn, entry, sketch) or is_apart(entry, aside)):
-                marks = sketch_marks(drawn, sketch, line(entry.name), slid_to(later, entry, sketch))
+                step = step_of(drawn, entry, sketch)
+                marks = [step] if step else sketch_marks(drawn, sketch, line(entry.name), slid_to(later, entry, sketch))
                 yield from (shifted(m, aside.get(getattr(entry, "body", ""), (0.0, 0.0))) for m in marks)
 
 

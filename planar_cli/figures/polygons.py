@@ -31,6 +31,8 @@ BESIDE, LEVEL, UPRIGHT, LETTER = 6.0, 24.0, 16.0, 7.0
 """So far beside one another vectors along one line lie on paper, px; where all do, with room for what stands beside
 each: for a row of letters, or for so much and the width of so many letters.
 """
+TINY, LARGER = 0.2, "to a larger scale than the others"
+"""So small beside the largest polygon of a figure another one is not read."""
 TOUCH = 0.15
 BETWEEN = re.compile(r"_rel$|_cor$|/")
 """What lies between the tips of others."""
@@ -95,8 +97,18 @@ def polygons_of_states(
             panel = next((p for p in made if p is not None), None)
             # What stays as it was is drawn once.
             found += [panel] if panel is not None and all(not _alike(panel, p) for p in found) else []
-        if found:
-            yield _figure(found, letter)
+        yield from _by_scales(found, letter)
+
+
+def _by_scales(panels: Sequence[Panel], letter: str) -> Iterator[Figure]:
+    """Those of the states side by side; but what would be tiny beside the others in a figure of its own."""
+    sizes = [max((_length(m) for m in p.marks if isinstance(m, Span)), default=0.0) for p in panels]
+    large = [p for p, size in zip(panels, sizes, strict=True) if size >= TINY * max(sizes)]
+    for panel in panels:
+        if panel not in large:
+            yield replace(_figure([panel], letter), note=line(LARGER))
+        elif panel is large[0]:
+            yield _figure(large, letter)
 
 
 def _closed_in(page: Sequence[Block], own: Collection[str], motion: MotionTrace, state: str) -> Iterator[list[Closed]]:
