@@ -29,6 +29,7 @@ from planar_cli.report.axes_asked import (
     noted,
     part_along,
     rational,
+    unit_asked,
     without,
     without_vector,
 )
@@ -54,7 +55,7 @@ from planar_cli.solve.solution import Found, InstantSolution
 from planar_cli.units import ACCELERATION, VELOCITY, Dimension
 
 MOVING = ("v", "a", "coriolis")
-AXES = ("x", "y", "along", "across")
+AXES = ("x", "y", "along", "across", "r", "theta")
 """Parts of a vector that are components along an axis."""
 
 
@@ -334,11 +335,13 @@ class AskedTelling:
         """v_A/B = v_A - v_B."""
         for point in (one, other):
             yield from self.absolute(point, word)
-        found = self.system.quantities().place(one) - self.system.quantities().place(other)
-        level = "velocity" if word == "v" else "acceleration"
-        vector = Vec(*(getattr(p, "rate" if word == "v" else "second") for p in (found.x, found.y)))
-        sides = (line(Name(f"{word}_{one}/{other}")), line(Name(f"{word}_{one}"), " - ", Name(f"{word}_{other}")))
-        yield from self._once(f"{word} {one}/{other}", sides, vector, level)
+        places = [self.system.quantities().place(point) for point in (one, other)]
+        level, order = ("velocity", "rate") if word == "v" else ("acceleration", "second")
+        own, base = (Vec(getattr(p.x, order), getattr(p.y, order)) for p in places)
+        moves = not all(self.phrases.value.is_zero(sp.sympify(p)) for p in (base.x, base.y))
+        less = (" - ", Name(f"{word}_{other}")) if moves else ()
+        sides = (line(Name(f"{word}_{one}/{other}")), line(Name(f"{word}_{one}"), *less))
+        yield from self._once(f"{word} {one}/{other}", sides, own - base, level)
 
     def _component(self, answer: Found, q: Quantity, name: str) -> Iterator[Block]:
         """The part of the vector that is asked: its size, its direction, or along an axis."""
@@ -380,13 +383,7 @@ class AskedTelling:
 
     def _axis(self, q: Quantity) -> list[Decimal]:
         """The unit vector along which a component is taken."""
-        part = q.parts[-1]
-        if part.kind in ("x", "y"):
-            return [Decimal(part.kind == "x"), Decimal(part.kind == "y")]
-        unit = self.system.quantities().direction(part)
-        axis = Vec(unit.x.value, unit.y.value)
-        axis = axis if part.kind == "along" else axis.turned()
-        return [self.phrases.certain(axis.x), self.phrases.certain(axis.y)]
+        return unit_asked(q, self.system.quantities(), self.phrases)
 
     def _parts(self, q: Quantity) -> list[Decimal] | None:
         """Both components of the whole vector [SI]."""

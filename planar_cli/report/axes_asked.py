@@ -97,6 +97,25 @@ def along_radius(answer: Found, quantities: Quantities, phrases: Phrases) -> Lin
     return line(phrases.math(told)) if all(p.is_Symbol for p in parts) and not longer(told, LONGEST) else ()
 
 
+def unit_asked(q: Quantity, quantities: Quantities, phrases: Phrases) -> list[Decimal]:
+    """The unit vector along which a component is taken; of those by the radius it goes from the point beside, or from
+    the origin, and across it counterclockwise.
+    """
+    part = q.parts[-1]
+    if part.kind in ("x", "y"):
+        return [Decimal(part.kind == "x"), Decimal(part.kind == "y")]
+    if part.kind in ("r", "theta"):
+        own, *others = (quantities.place(thing) for thing in q.things)
+        reach = own - others[0] if others else own
+    else:
+        reach = quantities.direction(part)
+    axis = Vec(reach.x.value, reach.y.value)
+    axis = axis if part.kind in ("r", "along") else axis.turned()
+    x, y = (phrases.certain(p) for p in (axis.x, axis.y))
+    size = (x * x + y * y).sqrt() or Decimal(1)
+    return [x / size, y / size]
+
+
 def part_along(
     name: str,
     own: Sequence[Line],
@@ -120,7 +139,8 @@ def part_along(
         return
     sides: list[Any] = [*own] or [line(Name(name), f" {told}")]
     if all(abs(c) not in (0, 1) for c in axis):
-        parts = [sp.Mul(c, n, evaluate=False) for c, n in zip(cosines, names, strict=True)]
-        sides.append(Math(sp.Add(*parts, evaluate=False), texts))
+        pairs = zip(cosines, names, vector, strict=True)
+        parts = [sp.Mul(c, n, evaluate=False) for c, n, v in pairs if v.number]
+        sides.append(Math(parts[0] if len(parts) == 1 else sp.Add(*parts, evaluate=False), texts))
     note = line("the component of ", Name(name), f" {told}") if own else ()
     yield Equation((*sides, *values), None, note=note)
