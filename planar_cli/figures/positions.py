@@ -38,8 +38,10 @@ if TYPE_CHECKING:
 
 FAR, LEAST = 3.0, 25.0
 """To scale a state is at most so many times the size of the scene away, and so many times that of the smallest body."""
-ASIDE = 0.5
-"""One that is brought nearer is at most by this part of that away from the one before."""
+ASIDE, BESIDE = 0.5, 2.0
+"""One that is brought nearer is at most by this part of that away from the one before, and by so many times the size of
+the scene.
+"""
 NEAR = 0.03
 """As near to another one in parts of the size, a position is the same."""
 NOWHERE: Spot = (0.0, 0.0)
@@ -211,28 +213,32 @@ def brought_near(places: Sequence[Later], size: float) -> list[Later]:
     bodies = first.there.scene.bodies
     rigid = [own for name, body in bodies.items() if body.rigid and (own := _own(first.there, name))]
     most = max(2 * size, min(FAR * 4 * size, LEAST * min(rigid)) if rigid else FAR * size)
+    apart = min(ASIDE * most, BESIDE * size)
     found = [first]
     for before, p in pairwise(places):
         found.append(
-            _nearer(p, replace(before, shift=found[-1].shift, own=found[-1].own), most)
+            _nearer(p, replace(before, shift=found[-1].shift, own=found[-1].own), apart)
             if _reach(p, first) > most
             else p
         )
     return found
 
 
-def _nearer(p: Later, before: Later, most: float) -> Later:
-    """A position that is drawn no farther from the one before than looks well; one body that goes another way than the
+def _nearer(p: Later, before: Later, apart: float) -> Later:
+    """A position that is drawn no farther `apart` from the one before; one body that goes another way than the
     farthest, as a carriage on which that one slides, in its own sense.
     """
     ways = {n: (p.spots[n][0] - x, p.spots[n][1] - y) for n, (x, y) in before.spots.items() if n in p.spots}
     farthest = max(ways.values(), key=lambda way: math.hypot(*way))
-    back = 1 - min(ASIDE * most / math.hypot(*farthest), 1)
+    back = 1 - min(apart / math.hypot(*farthest), 1)
     own = dict(before.own)
     for name, (x, y) in ways.items():
         behind = farthest[0] - x, farthest[1] - y
         seen = x - farthest[0] * back, y - farthest[1] * back
-        if math.hypot(*behind) > ASIDE * most and x * seen[0] + y * seen[1] <= 0:
+        if math.hypot(x, y) <= apart < math.hypot(*farthest):
+            # What goes no farther than that is where it is.
+            own[name] = moved_by(before.own.get(name, NOWHERE), (farthest[0] * back, farthest[1] * back))
+        elif math.hypot(*behind) > apart and x * seen[0] + y * seen[1] <= 0:
             own[name] = moved_by(before.own.get(name, NOWHERE), (behind[0] * back, behind[1] * back))
     x, y = before.shift
     return replace(p, shift=(x - farthest[0] * back, y - farthest[1] * back), own=own)

@@ -1,0 +1,26 @@
+"""Later states that are drawn nearer than they are."""
+
+from __future__ import annotations
+
+from test_figures_bodies import drawings
+
+from planar_cli.report.marks import Arc, Hatched, Mark, Polyline, spots_of
+
+
+def marks_of(stem: str) -> tuple[Mark, ...]:
+    return drawings(stem)["scene"].panels[0].marks
+
+
+def test_what_goes_a_little_stays_where_it_is_beside_what_goes_far() -> None:
+    """A gun that recoils on its rails, beside its shell, which is brought near."""
+    gun = marks_of("gun-on-rails")
+    ground = next(m for m in gun if isinstance(m, Hatched)).places[0][1]
+    later = [s for m in gun if isinstance(m, Polyline) and m.style == "hidden" for s in spots_of(m)]
+    assert later
+    assert min(y for _, y in later) >= ground - 1e-6
+
+
+def test_what_is_brought_near_is_close_by() -> None:
+    """A bicycle, and where it is much farther along its road."""
+    spots = [s for m in marks_of("ex-4-18") if isinstance(m, Arc) for s in spots_of(m)]
+    assert max(x for x, _ in spots) - min(x for x, _ in spots) < 8.0
