@@ -46,7 +46,7 @@ def frame_marks(drawn: Drawn) -> Iterator[Mark]:
         n.things[1] for f in problem.find for n in walk(f.found.what) if isinstance(n, Quantity) and len(n.things) == 2
     }
     for body in problem.bodies:
-        bare = isinstance(body.shape, Outline) and body.shape.rim is None and body.shape.center is None
+        bare = isinstance(body.shape, Outline) and body.shape.rim is None
         model, spot = drawn.body(body.name), drawn.carried(body.name, body.points[0]) if body.points else None
         theta = drawn.number(model.theta) if model is not None else None
         if bare and body.is_massless and body.name in seen and spot is not None and theta is not None:

@@ -56,11 +56,11 @@ def is_slot(surface: Surface, joints: Sequence[Joint]) -> bool:
 
 
 def is_lane(problem: Problem, name: str) -> bool:
-    """Is a fixed surface a road, a rail or a groove that is seen from above? Only points run along it, and nothing in
-    the file falls.
+    """Is a fixed surface a road, a rail or a groove that is seen from above? What touches it runs along it, and
+    nothing in the file falls.
     """
     own = [j for j in problem.joints if name in between(j)]
-    guided = all(j.guides and getattr(j, "point", None) and not getattr(j, "body", None) for j in own)
+    guided = all(j.guides for j in own)
     fixed = any(s.name == name and s.body is None for s in problem.surfaces)
     return problem.plane != "vertical" and fixed and bool(own) and guided
 
