@@ -110,7 +110,7 @@ def arrangement(part: PartSolution, whole: Mapping[str, tuple[Spot, ...]]) -> Pa
     later = (*position_marks(places, motion, part.run, marks), *asked_places(places, problem))
     later = (*later, *lengths_of_ways(places, problem, later))
     later = (*later, *(angles_there(swing, motion) if swing is not None and motion is not None else ()))
-    return _panel((*marks, *on_orbits(later, part), *state_measures(places, problem)))
+    return _panel((*marks, *on_orbits(later, part), *state_measures(places, problem, marks)))
 
 
 def _first(part: PartSolution) -> tuple[Drawn, Found | None]:
@@ -144,7 +144,7 @@ def followed_arrangement(run: Run) -> Panel | None:
     size = extent_of([s for m in _marks(drawn, Told(drawn), run.problem) for s in spots_of(m)])
     places = brought_near(followed_positions(drawn, run), size)
     marks = tuple(_marks(drawn, Told(drawn), run.problem, places[1:]))
-    return _panel((*marks, *position_marks(places, None, run, marks), *state_measures(places, run.problem)))
+    return _panel((*marks, *position_marks(places, None, run, marks), *state_measures(places, run.problem, marks)))
 
 
 def _panel(marks: tuple[Mark, ...]) -> Panel:

@@ -11,7 +11,7 @@ from planar_cli.figures.angles import angle_from_its_zero
 from planar_cli.figures.positions import Later
 from planar_cli.figures.rings import extent_of
 from planar_cli.problem.expression import Number, Quantity, Relation, Side
-from planar_cli.problem.scene import Particle, Problem
+from planar_cli.problem.scene import Line, Particle, Problem
 from planar_cli.problem.walk import walk
 from planar_cli.report.marks import Angle, Hatched, Mark, Spot
 
@@ -28,7 +28,8 @@ def landing_marks(where: Mapping[str, Later], problem: Problem) -> Iterator[Mark
     flies = all(isinstance(b.shape, Particle) for b in problem.bodies)
     ends = [*where][-1] if where else ""
     left = bool(problem.joints) and all(j.during is not None and j.during[1] != ends for j in problem.joints)
-    if problem.plane != "vertical" or not flies or ((problem.surfaces or problem.joints) and not left):
+    held = any(not j.strikes for j in problem.joints) or not _are_walls(where, problem)
+    if problem.plane != "vertical" or not flies or (held and not left):
         return
     spots = [s for p in where.values() for s in p.spots.values()]
     for state in problem.states:
@@ -41,6 +42,13 @@ def landing_marks(where: Mapping[str, Later], problem: Problem) -> Iterator[Mark
         low, high = min(x for x, _ in spots), max(x for x, _ in spots)
         more = BEYOND * max(high - low, *(y for _, y in spots))
         yield Hatched(((low - more, 0.0), (high + more, 0.0)))
+
+
+def _are_walls(where: Mapping[str, Later], problem: Problem) -> bool:
+    """Are all surfaces upright? From a wall a ball comes back, but it lands on none."""
+    scene = next(iter(where.values())).there.scene if where else None
+    ways = [scene.surface_direction(s) if isinstance(s.shape, Line) else None for s in problem.surfaces if scene]
+    return all(way is not None and way.x == 0 for way in ways)
 
 
 def _counts_from_level(where: Mapping[str, Later], problem: Problem) -> bool:

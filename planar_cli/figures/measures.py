@@ -22,7 +22,7 @@ from planar_cli.figures.sought import in_waves, sought
 from planar_cli.figures.stated import is_stated
 from planar_cli.problem.expression import Name as Letter
 from planar_cli.problem.expression import Side
-from planar_cli.problem.scene import At, Body, Plate, Point, Polar, Problem, Rod, Round, Towards, TwoFacts
+from planar_cli.problem.scene import At, Body, Particle, Plate, Point, Polar, Problem, Rod, Round, Towards, TwoFacts
 from planar_cli.problem.shapes import rim_of
 from planar_cli.problem.walk import walk
 from planar_cli.report.blocks import Line, Name, line
@@ -57,6 +57,12 @@ def measure_marks(
         seen = waves and all(repr(words_of(letter)) in told for letter in waves)
         if point.name in tagged and isinstance(point.place, At | TwoFacts) and not seen:
             for mark in _coordinates(drawn, tagged[point.name], point.place, drawn.moved_by(point.name)):
+                yield from _once(mark, told)
+    for body in problem.bodies:
+        # A particle may have its place without a point.
+        spot, place = tagged.get(body.name), body.shape.place if isinstance(body.shape, Particle) else None
+        if isinstance(place, At) and spot is not None and spot == drawn.center(body.name):
+            for mark in _coordinates(drawn, spot, place, (0.0, 0.0)):
                 yield from _once(mark, told)
     sizes = (m for b in problem.bodies if isinstance(b.shape, Plate) for m in _plate(drawn, b, b.shape))
     for mark in (*apart_in_text(drawn, tagged), *sizes):

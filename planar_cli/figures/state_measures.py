@@ -22,12 +22,14 @@ NEAR, BENT = 1e-6, 1.001
 """A way that is longer than this, in parts of the straight one, is bent."""
 
 
-def state_measures(places: Sequence[Later], problem: Problem) -> Iterator[Mark]:
-    """Of states that are drawn to scale."""
+def state_measures(places: Sequence[Later], problem: Problem, shown: Sequence[Mark] = ()) -> Iterator[Mark]:
+    """Of states that are drawn to scale. `shown`: what is drawn of the first one, with dimensions of its own."""
+    before = [m for m in shown if isinstance(m, Dimension) and m.level]
     where = {state: p for p in places for state in p.states if not any(p.shift)}
     told: set[str] = set()
     for axis, start, end, words in _lengths(where, problem):
-        if words and abs(end[axis] - start[axis]) > NEAR and repr(words) not in told:
+        again = any(m.words == words and _is_along(m, axis, start, end) for m in before)
+        if words and not again and abs(end[axis] - start[axis]) > NEAR and repr(words) not in told:
             told.add(repr(words))
             yield Dimension(start, end, words, side=-1 if axis == 0 else 1, level=True)
     for mark in _along_lines(where, problem):
@@ -57,6 +59,12 @@ def _joins(way: Sequence[Spot], ends: Sequence[Spot | None]) -> bool:
     near = NEAR * math.dist(way[0], way[len(way) // 2])
     pairs = zip((way[0], way[-1]), ends, strict=False)
     return len(ends) > 1 and all(e is not None and math.dist(s, e) <= near for s, e in pairs)
+
+
+def _is_along(one: Dimension, axis: int, start: Spot, end: Spot) -> bool:
+    """Does it measure the same piece of an axis?"""
+    ends, others = sorted((one.start[axis], one.end[axis])), sorted((start[axis], end[axis]))
+    return all(abs(a - b) < NEAR for a, b in zip(ends, others, strict=True))
 
 
 def _lengths(where: dict[str, Later], problem: Problem) -> Iterator[tuple[int, Spot, Spot, Words]]:

@@ -1,0 +1,19 @@
+"""What is thrown: where it comes from, and the ground on which it lands beside a wall."""
+
+from __future__ import annotations
+
+import pytest
+from test_figures_states import marks_of
+
+from planar_cli.report.marks import Dimension, Hatched
+
+
+def test_a_throw_against_a_wall_lands_on_the_ground() -> None:
+    """Its height is dimensioned though the ball is at no point of the file; how far the wall is, once."""
+    marks = marks_of("ball-off-a-smooth-wall")
+    (ground,) = [m.places for m in marks if isinstance(m, Hatched) and m.places[0][1] == m.places[-1][1]]
+    assert ground[0][1] == 0.0
+    level = [m for m in marks if isinstance(m, Dimension)]
+    heights = [abs(m.end[1] - m.start[1]) for m in level]
+    assert heights.count(1.5) == 1
+    assert [abs(m.end[0] - m.start[0]) for m in level].count(pytest.approx(6)) == 1
