@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import math
+
+import pytest
 from test_figures_bodies import drawings
 
-from planar_cli.report.marks import Arc, Hatched, Mark, Polyline, spots_of
+from planar_cli.report.blocks import Name, line
+from planar_cli.report.marks import Angle, Arc, Hatched, Mark, Polyline, spots_of
 
 
 def marks_of(stem: str) -> tuple[Mark, ...]:
@@ -24,3 +28,10 @@ def test_what_is_brought_near_is_close_by() -> None:
     """A bicycle, and where it is much farther along its road."""
     spots = [s for m in marks_of("ex-4-18") if isinstance(m, Arc) for s in spots_of(m)]
     assert max(x for x, _ in spots) - min(x for x, _ in spots) < 8.0
+
+
+def test_an_angle_between_two_states_that_is_asked_is_drawn_at_the_pin() -> None:
+    (angle,) = [m for m in marks_of("ex-4-13") if isinstance(m, Angle) and m.words == line(Name("phi_max"))]
+    assert angle.vertex == (0.0, 0.0)
+    assert math.degrees(angle.start) == pytest.approx(-90)
+    assert math.degrees(angle.sweep) == pytest.approx(62.46, abs=0.01)

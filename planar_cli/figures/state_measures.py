@@ -10,6 +10,7 @@ from planar_cli.figures.drawn import size_of
 from planar_cli.figures.landings import coordinate, landing_marks, spot_of
 from planar_cli.figures.positions import Later
 from planar_cli.figures.rings import moved_by, turned_by
+from planar_cli.figures.turned_through import turned_through
 from planar_cli.problem.expression import Binary, Number, Quantity, Relation, Side
 from planar_cli.problem.scene import Problem
 from planar_cli.problem.scene import State as Written
@@ -37,6 +38,7 @@ def state_measures(places: Sequence[Later], problem: Problem, shown: Sequence[Ma
             told.add(repr(mark.words))
             yield mark
     yield from landing_marks(where, problem)
+    yield from turned_through(where, problem)
 
 
 def lengths_of_ways(places: Sequence[Later], problem: Problem, ways: Iterable[Mark]) -> Iterator[Mark]:
