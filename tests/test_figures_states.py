@@ -334,3 +334,10 @@ def test_an_edge_that_a_body_strikes_is_a_step_in_the_ground() -> None:
         assert ground[0][1] == ground[1][1], stem
         assert ground[1][0] == ground[2][0] > ground[0][0], stem
         assert ground[-1][1] - ground[0][1] == pytest.approx(rises or 0.0), stem
+
+
+def test_a_force_that_is_written_with_a_minus_is_drawn_the_way_it_acts() -> None:
+    """The two parts of a shell push each other away."""
+    one, other = (m for m in marks_of("shell-that-bursts-in-two") if isinstance(m, Arrow) and m.style == "force")
+    assert one.words == other.words == line(Name("J"))
+    assert math.cos(one.angle - other.angle) == pytest.approx(-1)

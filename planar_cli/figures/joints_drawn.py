@@ -183,7 +183,9 @@ def _push(sketch: Push, drawn: Drawn, name: Line) -> Iterator[Mark]:
     size = None if isinstance(sketch.size, Table) else sketch.size
     idle = size is not None and drawn.length(size) == 0 and (sketch.flows or not _varies(size))
     if at is not None and angle is not None and not idle:
-        words = name if sketch.size is None or isinstance(sketch.size, Table) else words_of(sketch.size) or name
+        words = name if size is None else size_of(size) or name
+        # What is written with a minus is drawn the way it acts.
+        angle += math.pi if size is not None and size_of(size) != words_of(size) else 0.0
         if sketch.unwinds:
             drum, at = at, moved(at, angle, CORD * (extent_of(drawn.at_rest().everything()) or 1.0))
             yield Polyline((drum, at), "rope")
