@@ -27,3 +27,24 @@ def test_in_equations(tmp_path: Path) -> None:
 
 def test_in_a_moment_of_inertia() -> None:
     assert "I_rod = 1/12 (3 m) l² = 1/4 m l²" in page_of_file("collar-let-loose-on-a-turning-rod")
+
+
+HALF = """\
+title: Half cylinder with a load
+plane: vertical
+given: {R: 0.3 m, m: 5 kg, m_0: 2 kg}
+points: {Z: [0, 0], C: [0, R], G: [0, R - 4*R/(3*pi)]}
+surfaces: {floor: {through: Z, angle: 0 deg}}
+bodies:
+  half: {parts: [{sector: C, radius: R, span: 180 deg, angle: -90 deg, mass: m}, {particle: C, mass: m_0}]}
+joints:
+  - rolling: {between: [half, floor], at: Z}
+states:
+  rest: [equilibrium]
+find: {T: period(rest)}
+"""
+
+
+def test_a_point_of_the_file_and_a_mass_centre_have_names_of_their_own(tmp_path: Path) -> None:
+    """G is a point of the file, m a mass of it: the body of both has m′ and G_half."""
+    assert "m′ g ↓ at G_half" in page_of_text(tmp_path, HALF)

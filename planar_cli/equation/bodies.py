@@ -13,6 +13,7 @@ import sympy as sp
 from planar_cli.equation.evaluate import Evaluator, demand_time
 from planar_cli.equation.jets import Jet
 from planar_cli.equation.ledger import Kind, Ledger
+from planar_cli.equation.new_centres import new_centre
 from planar_cli.equation.parts_in_line import PartsInLine, parts_in_line, pin_of
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.equation.written_angles import WrittenAngles
@@ -228,9 +229,8 @@ class MassReader:
             assert told is not None
             what = "moment of inertia" if body.inertia is not None else "radius of gyration"
             text = f"the {what} of {body.name} about {body.about} is less than the distance of its mass centre makes it"
-            raise refuse(
-                told.mark, "PL544", text, f"leave out `about: {body.about}` if it is that about the mass centre"
-            )
+            hint = f"leave out `about: {body.about}` if it is that about the mass centre"
+            raise refuse(told.mark, "PL544", text, hint)
         return value
 
     def _with_mass(self, inertia: sp.Expr, mass: sp.Expr, body: Body) -> sp.Expr:
@@ -266,7 +266,7 @@ class MassReader:
         elif (turned := self._in_line(body, shape, parts)) is not None:
             return self._turned_in_line(turned, body, shape, mass, parts)
         else:
-            center_name = self.ledger.fresh(self._named("G", body), "m").name
+            center_name = new_centre(body, self.problem, self.ledger, self._named("G", body))
             center = Vec(*(self._coordinate(parts, mass, axis, f"{axis}_{center_name}", body) for axis in ("x", "y")))
         inertia = sp.Add(*(self._about(center, i, part, body) for i, part in enumerate(parts, 1)))
         if body.inertia is not None or body.gyration is not None:
@@ -303,7 +303,8 @@ class MassReader:
         self, line: PartsInLine, body: Body, shape: Composite, mass: sp.Expr, parts: list[_Part]
     ) -> BodyModel:
         """The same of a body that turns about a pin, by distances along the line of its parts: OG, then I_O."""
-        names, center_name = part_names(body, self.problem), self.ledger.fresh(self._named("G", body), "m").name
+        names = part_names(body, self.problem)
+        center_name = new_centre(body, self.problem, self.ledger, self._named("G", body))
         moments, turning = [], []
         for i, (((own_mass, own), _), distance) in enumerate(zip(parts, line.distances, strict=True), 1):
             piece, which = shape.pieces[i - 1].shape, names[i - 1]

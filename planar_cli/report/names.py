@@ -94,8 +94,8 @@ def latex_name(name: str) -> str:
 
 
 def stem(name: str) -> str:
-    """The quantity of a name without subscripts and digits: `omega` of `omega_AB`, `m` of `m1`."""
-    return _trailing_digits(name.split("_", 1)[0])[0]
+    """The quantity of a name without subscripts, digits and primes: `omega` of `omega_AB`, `m` of `m1` and `m′`."""
+    return _trailing_digits(name.split("_", 1)[0].rstrip("′"))[0]
 
 
 @lru_cache(maxsize=4096)
