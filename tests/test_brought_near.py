@@ -7,8 +7,9 @@ import math
 import pytest
 from test_figures_bodies import drawings
 
+from planar_cli.figures.uncrowded import MANY, uncrowded
 from planar_cli.report.blocks import Name, line
-from planar_cli.report.marks import Angle, Arc, Hatched, Mark, Polyline, spots_of
+from planar_cli.report.marks import Angle, Arc, Dimension, Hatched, Mark, Polyline, Tag, spots_of
 
 
 def marks_of(stem: str) -> tuple[Mark, ...]:
@@ -35,3 +36,12 @@ def test_an_angle_between_two_states_that_is_asked_is_drawn_at_the_pin() -> None
     assert angle.vertex == (0.0, 0.0)
     assert math.degrees(angle.start) == pytest.approx(-90)
     assert math.degrees(angle.sweep) == pytest.approx(62.46, abs=0.01)
+
+
+def test_where_too_much_is_told_the_lengths_are_left_to_the_page() -> None:
+    words = [Tag((float(i), 0.0), line(f"{i}")) for i in range(MANY - 1)]
+    length = Dimension((0.0, 0.0), (1.0, 0.0), line("l"))
+    angles = [Angle((0.0, 0.0), 0.0, 1.0, line(Name(n))) for n in ("beta", "phi")]
+    assert uncrowded([*words, length], ()) == [*words, length]
+    assert uncrowded([*words, length, angles[0]], ()) == [*words, angles[0]]
+    assert uncrowded([*words, length, *angles], ("phi",)) == [*words, angles[1]]

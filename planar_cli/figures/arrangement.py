@@ -45,6 +45,7 @@ from planar_cli.figures.springs import settled
 from planar_cli.figures.state_measures import lengths_of_ways, state_measures
 from planar_cli.figures.sunk import sunk
 from planar_cli.figures.surfaces import surface_marks
+from planar_cli.figures.uncrowded import uncrowded
 from planar_cli.figures.unguided import is_idle, led_blocks
 from planar_cli.figures.within import within
 from planar_cli.joints.base import Joint
@@ -103,14 +104,14 @@ def arrangement(part: PartSolution, whole: Mapping[str, tuple[Spot, ...]]) -> Pa
         curves += [way for name, way in whole.items() if drawn.scene.owner(name) not in (GROUND, *particles)]
         ways = [Polyline(curve, "way") for curve in curves if len(curve) > 1]
         marks = tuple(_marks(drawn, moving, problem))
-        return _panel((*marks, *ways, *_pole(drawn, marks, ways), *_arms(drawn, particles)))
+        return _panel(problem, (*marks, *ways, *_pole(drawn, marks, ways), *_arms(drawn, particles)))
     size = extent_of([s for m in _marks(drawn, moving, whole_time) for s in spots_of(m)])
     places = brought_near(places, size)
     marks = tuple(_marks(drawn, moving, whole_time, places[1:]))
     later = (*position_marks(places, motion, part.run, marks), *asked_places(places, problem))
     later = (*later, *lengths_of_ways(places, problem, later))
     later = (*later, *(angles_there(swing, motion) if swing is not None and motion is not None else ()))
-    return _panel((*marks, *on_orbits(later, part), *state_measures(places, problem, marks)))
+    return _panel(problem, (*marks, *on_orbits(later, part), *state_measures(places, problem, marks)))
 
 
 def _first(part: PartSolution) -> tuple[Drawn, Found | None]:
@@ -132,7 +133,7 @@ def _first(part: PartSolution) -> tuple[Drawn, Found | None]:
 def arranged(drawn: Drawn) -> Panel:
     """A scene in one position."""
     drawn = with_parallel_ropes(drawn, drawn.scene.problem.joints)
-    return _panel(tuple(_marks(drawn, Told(drawn), drawn.scene.problem)))
+    return _panel(drawn.scene.problem, tuple(_marks(drawn, Told(drawn), drawn.scene.problem)))
 
 
 def followed_arrangement(run: Run) -> Panel | None:
@@ -144,11 +145,14 @@ def followed_arrangement(run: Run) -> Panel | None:
     size = extent_of([s for m in _marks(drawn, Told(drawn), run.problem) for s in spots_of(m)])
     places = brought_near(followed_positions(drawn, run), size)
     marks = tuple(_marks(drawn, Told(drawn), run.problem, places[1:]))
-    return _panel((*marks, *position_marks(places, None, run, marks), *state_measures(places, run.problem, marks)))
+    return _panel(
+        run.problem, (*marks, *position_marks(places, None, run, marks), *state_measures(places, run.problem, marks))
+    )
 
 
-def _panel(marks: tuple[Mark, ...]) -> Panel:
+def _panel(problem: Problem, whole: tuple[Mark, ...]) -> Panel:
     """Bodies that meet, and nothing else, are at one point although they are drawn side by side."""
+    marks = uncrowded(whole, {f.name for f in problem.find})
     placed = extent_of([s for m in marks for s in spots_of(m)])
     signs = all(isinstance(m, Symbol | Arrow | Turn | Tag | Angle | Axes) for m in marks)
     return Panel(tuple(settled(sunk(marks))), least=ALONE if signs and placed < 3 * BOX / POINT else 0.0)
