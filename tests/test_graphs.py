@@ -87,6 +87,19 @@ def test_ways_and_portraits(tmp_path: Path, capsys: pytest.CaptureFixture[str]) 
     assert all(name in words for name in ("upper", "lower", "ω", "θ", "x in m", "y in m"))
 
 
+def test_a_part_of_a_force_is_titled_as_a_page_calls_it(capsys: pytest.CaptureFixture[str]) -> None:
+    asked = ("-q", "reaction(A).mag", "-q", "reaction(A).x", "-q", "reaction(A)")
+    assert (
+        cli.run(
+            ["simulate", str(ROOT / "problems" / "energy" / "plate-let-go-at-a-corner.yaml"), "--rows", "2", *asked]
+        )
+        == 0
+    )
+    told = capsys.readouterr().out
+    assert all(f"\n  {t} in N\n" in told for t in ("size of the reaction at A", "x component of the reaction at A"))
+    assert "\n  reaction at A in N\n" in told
+
+
 def test_the_ledger_of_energy_adds_up() -> None:
     """A ball that bounces loses all it had; friction on a belt takes what the belt supplies and the spring does not."""
     for stem, names in (

@@ -42,6 +42,20 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return whole
 
 
+def test_a_problem_is_not_torn_where_it_fits_on_a_page(tmp_path: Path) -> None:
+    named = ("spool", "rod", "slot", "slope")
+    files = ", ".join(str(PROBLEM.with_name(f"{name}.yaml")) for name in named)
+    (tmp_path / "set.yaml").write_text(f"problems: [{files}]\n")
+    assert run(["key", str(tmp_path / "set.yaml"), "--format", PDF, "-o", str(tmp_path / PDF), "--timeout", "0"]) == 0
+    pages = texts_of_pages(tmp_path / PDF / "sheet.pdf")
+    assert len(pages) > 1
+    # Each page begins with a heading: nothing of the problem before is left for it.
+    assert all(re.match(r"\s*(?:\d\. [A-Z]|How to hand in)", page) for page in pages[1:])
+    assert run(["key", str(tmp_path / "set.yaml"), "--format", "html", "-o", str(tmp_path), "--timeout", "0"]) == 0
+    html = (tmp_path / "sheet.html").read_text()
+    assert html.count('<div class="whole">\n<h2 class="title">') == len(named) + 1
+
+
 @pytest.mark.parametrize("form", TWICE)
 def test_the_same_seed_gives_the_same_bytes(folder: Path, form: str) -> None:
     once, again = ({p.name: p.read_bytes() for p in (folder / form / n).iterdir()} for n in ("once", "again"))

@@ -78,8 +78,8 @@ def test_a_sheet_tells_what_is_asked_and_how_to_hand_in(tmp_path: Path) -> None:
     page = (tmp_path / "out" / names[0]).read_text()
     assert "<title>set, variant 1, Anna B</title>" in page
     assert "2*a(b)" not in page
-    assert "<strong>s</strong>, in m/s²" in page
-    assert "<strong>n</strong>: three times the acceleration upward, in m/s²" in page
+    assert "<math><mi>s</mi></math>, in m/s²" in page
+    assert "<math><mi>n</mi></math>: three times the acceleration upward, in m/s²" in page
     assert "Also given: <math><mi>β</mi><mo>=</mo><mn>20</mn>" in page
     assert "<msub><mi>μ</mi><mi>k</mi></msub><mo>=</mo><mn>0.2</mn></math>" in page
     assert "slot.s:  # 12.3 m/s^2" in page

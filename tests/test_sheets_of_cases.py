@@ -39,7 +39,7 @@ def sheet(folder: Path, text: str) -> str:
 
 def test_a_case_is_told_with_its_data(tmp_path: Path) -> None:
     told = sheet(tmp_path, CRATE)
-    assert "- **a**: x component of the acceleration of crate, in m/s²" in told
+    assert "- $a$: x component of the acceleration of crate, in m/s²" in told
     assert "case strong (P = 300 N): x component of the acceleration of crate, in m/s²" in told
 
 

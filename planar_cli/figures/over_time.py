@@ -164,7 +164,8 @@ def words_of(column: Column) -> Line:
         of = f" {OF.get(side.word, 'of')} {body}" if body else ""
         return line(CALLED[side.word], of, *(f" about {p}" for p in about))
     parts = "".join(f".{p.kind}" for p in side.parts if p.direction is None)
-    first, *others = spoken(f"{side.word}({'/'.join(side.things)}){parts}", ())
+    words = spoken(f"{side.word}({'/'.join(side.things)}){parts}", ())
+    first, *others = (p for p in words if p != Text(""))
     # The title of an axis has no article.
     first = replace(first, text=first.text.removeprefix("the ")) if isinstance(first, Text) else first
     return line(first, *others)

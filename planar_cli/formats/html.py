@@ -71,7 +71,7 @@ math{font-size:1.05em;font-family:"STIX Two Math","Cambria Math","Latin Modern M
 @media (max-width:36rem){body{padding:.6rem;font-size:15px}.equation{margin-left:.4rem}summary .aside{float:none;
 display:block;font-size:.92rem}.panels{flex-direction:column}figcaption{flex-basis:auto}}
 @media print{body{max-width:none;padding:0;font-size:10.5pt}summary{list-style:none}details{margin-top:.6rem}
-details::details-content{content-visibility:visible}figure,table,tr,.answer,.equation{break-inside:avoid}
+details::details-content{content-visibility:visible}figure,table,tr,.answer,.equation,.whole{break-inside:avoid}
 summary,.title,.case,.part,.lead,.forces,p:has(+.forces),p:has(+ul),.answer:has(+.foot){break-after:avoid}
 figure{margin:.3rem 0}figure svg{zoom:.8}
 .equation,table,figure{overflow:visible}table{display:table}}
@@ -123,7 +123,10 @@ class Html(Pages):
             '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
             f"<title>{words(title)}</title>\n<style>{STYLE}{_svg.STYLE}</style>\n</head>\n<body>\n"
         )
-        return head + "\n".join(p for p in parts if p) + "\n</body>\n</html>\n"
+        body = re.split('(?=<h2 class="title">)', "\n".join(p for p in parts if p))
+        # A problem of a sheet or key is not torn over two sheets of paper where it fits on one.
+        wholes = [f'<div class="whole">\n{part.rstrip()}\n</div>\n' for part in body[1:]]
+        return head + "".join((body[0], *wholes)).rstrip("\n") + "\n</body>\n</html>\n"
 
     def titles(self, run: Sequence[Title]) -> list[str]:
         return [self.headed(words(t.text), 1 + t.level, "title") for t in run]

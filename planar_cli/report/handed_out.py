@@ -71,7 +71,7 @@ def _listed(data: Sequence[str]) -> Iterator[Inline]:
 
 
 def _asked(expected: Expected) -> Line:
-    """A find: how it is called where it is typed, what it is, its unit and its points."""
+    """A find: how it is called, what it is, its unit and its points."""
     unit = pretty_unit(expected.unit)
     two = " (two components, x and y)" if expected.kind == "vector" else ""
     # The name of the find stands before it already.
@@ -82,7 +82,15 @@ def _asked(expected: Expected) -> Line:
             f", as a formula in {' and '.join(map(printed, free))}" if (free := _free(expected)) else ", as a formula"
         )
     points = f" ({expected.points:g} {'point' if expected.points == 1 else 'points'})"
-    return line(Text(_plain(expected.find), "strong"), _words_after(what), f"{two}{in_unit}{points}")
+    return line(_named(expected), _words_after(what), f"{two}{in_unit}{points}")
+
+
+def _named(expected: Expected) -> Line:
+    """A find as the page and the key print it, and where that is not what is typed, also as it is typed."""
+    name, typed = _find(expected), _plain(expected.find)
+    if name == line(typed):
+        return line(Text(typed, "strong"))
+    return name if printed(typed) == typed else line(name, " (", Text(typed, "strong"), ")")
 
 
 def _free(expected: Expected) -> list[str]:
