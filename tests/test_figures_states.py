@@ -341,3 +341,12 @@ def test_a_force_that_is_written_with_a_minus_is_drawn_the_way_it_acts() -> None
     one, other = (m for m in marks_of("shell-that-bursts-in-two") if isinstance(m, Arrow) and m.style == "force")
     assert one.words == other.words == line(Name("J"))
     assert math.cos(one.angle - other.angle) == pytest.approx(-1)
+
+
+def test_the_height_of_a_particle_at_a_place_without_a_name_is_dimensioned() -> None:
+    told = [m.words for m in marks_of("throw-at-a-basketball-ring") if isinstance(m, Dimension)]
+    assert line(Name("h")) in told
+    beside = [m.words for m in marks_of("pucks-at-an-angle") if isinstance(m, Dimension)]
+    assert not beside, "drawn beside their place, which is where they meet"
+    broken = [m for m in marks_of("ball-through-a-window") if isinstance(m, Symbol) and m.kind == "break"]
+    assert not broken, "no larger, as a scene, than the ball"

@@ -133,3 +133,7 @@ def test_polar_coordinates_that_are_given_are_drawn_in_the_scene() -> None:
     assert angle.sweep == pytest.approx(0.8)
     (way,) = (m.places for m in marks if isinstance(m, Polyline) and m.style == "thin")
     assert math.dist(*way) == pytest.approx(3.0)
+
+
+def test_a_motion_that_is_followed_in_numbers_alone_is_drawn_without_a_curve_that_leads_it() -> None:
+    assert "scene" in figures("dog-that-runs-at-a-cyclist")

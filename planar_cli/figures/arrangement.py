@@ -105,7 +105,7 @@ def arrangement(part: PartSolution, whole: Mapping[str, tuple[Spot, ...]]) -> Pa
         ways = [Polyline(curve, "way") for curve in curves if len(curve) > 1]
         marks = tuple(_marks(drawn, moving, problem))
         return _panel(problem, (*marks, *ways, *_pole(drawn, marks, ways), *_arms(drawn, particles)))
-    size = extent_of([s for m in _marks(drawn, moving, whole_time) for s in spots_of(m)])
+    size = _size(_marks(drawn, moving, whole_time))
     places = brought_near(places, size)
     marks = tuple(_marks(drawn, moving, whole_time, places[1:]))
     later = (*position_marks(places, motion, part.run, marks), *asked_places(places, problem))
@@ -142,12 +142,19 @@ def followed_arrangement(run: Run) -> Panel | None:
     if drawn is None:
         return None
     drawn = with_parallel_ropes(drawn, run.problem.joints)
-    size = extent_of([s for m in _marks(drawn, Told(drawn), run.problem) for s in spots_of(m)])
+    size = _size(_marks(drawn, Told(drawn), run.problem))
     places = brought_near(followed_positions(drawn, run), size)
     marks = tuple(_marks(drawn, Told(drawn), run.problem, places[1:]))
     return _panel(
         run.problem, (*marks, *position_marks(places, None, run, marks), *state_measures(places, run.problem, marks))
     )
+
+
+def _size(marks: Iterable[Mark]) -> float:
+    """How large a scene is, m; 0: it is a point, however high above the ground."""
+    told = list(marks)
+    apart = [s for m in told if not isinstance(m, Dimension) for s in spots_of(m)]
+    return extent_of([s for m in told for s in spots_of(m)]) if extent_of(apart) else 0.0
 
 
 def _panel(problem: Problem, whole: tuple[Mark, ...]) -> Panel:

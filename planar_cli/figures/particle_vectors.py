@@ -109,6 +109,9 @@ def _asked(part: PartSolution, letters: frozenset[str]) -> Iterator[Asked]:
 
 def _is_led_round(part: PartSolution, point: str) -> bool:
     """Does a fixed curve lead a point?"""
+    if part.motion is None and not part.instants:
+        # A motion that was followed in numbers alone.
+        return False
     problem = part.motion.problem if part.motion is not None else part.instants[0].instant.scene.problem
     curves = [s for s in problem.surfaces if s.body is None and not isinstance(s.shape, Straight)]
     return any(is_slot(s, problem.joints) and point in touching(problem, s) for s in curves)
