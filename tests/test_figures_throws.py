@@ -1,11 +1,13 @@
-"""What is thrown: where it comes from, and the ground on which it lands beside a wall."""
+"""What is thrown or falls: where it comes from, the ground on which it lands, the edges that it strikes."""
 
 from __future__ import annotations
+
+import math
 
 import pytest
 from test_figures_states import marks_of
 
-from planar_cli.report.marks import Dimension, Hatched
+from planar_cli.report.marks import Dimension, Hatched, Symbol
 
 
 def test_a_throw_against_a_wall_lands_on_the_ground() -> None:
@@ -17,3 +19,13 @@ def test_a_throw_against_a_wall_lands_on_the_ground() -> None:
     heights = [abs(m.end[1] - m.start[1]) for m in level]
     assert heights.count(1.5) == 1
     assert [abs(m.end[0] - m.start[0]) for m in level].count(pytest.approx(6)) == 1
+
+
+@pytest.mark.parametrize("stem", ["level-rod-caught-by-an-edge", "falling-bar-strikes-a-ledge"])
+def test_a_fixed_particle_that_is_struck_is_an_edge(stem: str) -> None:
+    """With its ground below, as what strikes it comes from above."""
+    marks = marks_of(stem)
+    (edge,) = [m for m in marks if isinstance(m, Symbol) and m.kind == "edge"]
+    assert edge.at == (0.0, 0.0)
+    assert math.cos(edge.angle) == pytest.approx(1)
+    assert not any(isinstance(m, Symbol) and m.kind in ("particle", "weld") for m in marks)

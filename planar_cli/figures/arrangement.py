@@ -13,6 +13,7 @@ from planar_cli.figures.carried import shifted
 from planar_cli.figures.deflected import angles_there, at_equilibrium, deflected, swings_alone
 from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.edges_struck import step_of
+from planar_cli.figures.fixed_edges import fixed_edges, holds_an_edge
 from planar_cli.figures.floors import blocks_on_faces
 from planar_cli.figures.given_motion import Found, Moving, Told, arrows_apart, given_motion_marks
 from planar_cli.figures.hanging import hanging, hangs_along, under_axles
@@ -172,7 +173,7 @@ def _marks(drawn: Drawn, moving: Moving | None, whole: Problem, later: Sequence[
     masses = {n: s for n, b in scene.bodies.items() if (s := drawn.spot(b.center)) is not None}
     centers, named = list(masses.values()), {**masses, **points}
     size = extent_of([*points.values(), *centers]) or ALONE
-    standing = blocks_on_faces(drawn)
+    standing = {**blocks_on_faces(drawn), **fixed_edges(drawn, joints)}
     inner, edges_of = list[Mark](under_axles(drawn)), dict[str, tuple[Spot, ...]]()
     shaped = frozenset[str]().union(*(edges(drawn, body) for body in scene.bodies.values()))
     for surface in problem.surfaces:
@@ -228,7 +229,8 @@ def _sketched(
     problem = drawn.scene.problem
     for entry in (*problem.joints, *_loads(problem, whole)):
         for sketch in sketch_of(drawn, entry):
-            if not (hangs_along(drawn, sketch, hung) or is_idle(drawn, entry, sketch) or is_apart(entry, aside)):
+            hidden = is_apart(entry, aside) or holds_an_edge(drawn, entry, whole.joints)
+            if not (hidden or hangs_along(drawn, sketch, hung) or is_idle(drawn, entry, sketch)):
                 step = step_of(drawn, entry, sketch)
                 marks = [step] if step else sketch_marks(drawn, sketch, line(entry.name), slid_to(later, entry, sketch))
                 yield from (shifted(m, aside.get(getattr(entry, "body", ""), (0.0, 0.0))) for m in marks)

@@ -48,7 +48,7 @@ def side_by_side(
                 # What lies on the floor stays there.
                 ways |= {n: math.copysign(2 * way, math.sin(angle)) for n in between if n != low}
             found |= {n: (w * math.cos(angle), w * math.sin(angle)) for n, w in ways.items()}
-        elif abs(closing) > CLOSE and (name := striker(drawn, between)):
+        elif abs(closing) > CLOSE and (name := striker(drawn, between)) and not _is_edge(blocks.get(name)):
             first = between[0] == name
             way = _beside(drawn, between, name) * scale * (-1 if (closing > 0) == first else 1)
             found[name] = (way * math.cos(angle), way * math.sin(angle))
@@ -60,6 +60,10 @@ def side_by_side(
             x, y = moved(up, angle, -far)
             found.setdefault(name, (scale * x, scale * y))
     return found
+
+
+def _is_edge(sign: Symbol | None) -> bool:
+    return sign is not None and sign.kind == "edge"
 
 
 def scale_of(drawn: Drawn) -> float:

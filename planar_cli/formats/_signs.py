@@ -31,6 +31,14 @@ def sign(mark: Symbol, at: Spot) -> Iterator[Piece]:
             yield Stroke(base, "ground")
             yield from hatching(base)
             yield Disc(at, 3.6, "pin")
+        case "edge":
+            # Under a point of what lies on it.
+            tip = moved(at, mark.angle, 0, -3.5)
+            feet = (moved(tip, mark.angle, -8, -14), moved(tip, mark.angle, 8, -14))
+            yield Stroke((feet[0], tip, feet[1]), "support area", True)
+            base = (moved(feet[0], mark.angle, -5), moved(feet[1], mark.angle, 5))
+            yield Stroke(base, "ground")
+            yield from hatching(base)
         case "particle":
             yield Disc(at, 5.0, "mass")
         case "block" | "later":

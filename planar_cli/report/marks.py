@@ -37,6 +37,7 @@ Style = Literal[
 SymbolKind = Literal[
     "pin",
     "support",
+    "edge",
     "particle",
     "block",
     "centre",
