@@ -350,3 +350,10 @@ def test_the_height_of_a_particle_at_a_place_without_a_name_is_dimensioned() -> 
     assert not beside, "drawn beside their place, which is where they meet"
     broken = [m for m in marks_of("ball-through-a-window") if isinstance(m, Symbol) and m.kind == "break"]
     assert not broken, "no larger, as a scene, than the ball"
+
+
+def test_a_mechanism_that_starts_in_a_dead_position_is_drawn_in_another_one() -> None:
+    marks = marks_of("body-slider-crank-over-time")
+    assert [m.words for m in marks if isinstance(m, Angle)] == [line(Name("theta"))]
+    names = {"".join(p.text for p in m.words if isinstance(p, Text)) for m in marks if isinstance(m, Tag)}
+    assert names >= {"start", "at 8", "fastest", "inner"}

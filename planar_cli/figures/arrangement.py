@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from planar_cli.figures.arms import turned_arm
 from planar_cli.figures.belts import belt_marks, frame_marks
 from planar_cli.figures.carried import shifted
+from planar_cli.figures.dead_positions import out_of_line
 from planar_cli.figures.deflected import angles_there, at_equilibrium, deflected, swings_alone
 from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.edges_struck import step_of
@@ -127,6 +128,7 @@ def _first(part: PartSolution) -> tuple[Drawn, Found | None]:
     placed = moving_in(part, "") if there is None and not states else None
     if placed is not None and placed.drawn.is_placed:
         return placed.drawn, placed
+    there = out_of_line(motion, there, states[1:]) if there is not None else None
     drawn = there or (at_equilibrium(drawn, motion) if swings_alone(motion, states) else drawn)
     return drawn, Found.of(drawn, (*(r.solution for r in motion.regimes), instant))
 
