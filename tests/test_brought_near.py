@@ -45,3 +45,8 @@ def test_where_too_much_is_told_the_lengths_are_left_to_the_page() -> None:
     assert uncrowded([*words, length], ()) == [*words, length]
     assert uncrowded([*words, length, angles[0]], ()) == [*words, angles[0]]
     assert uncrowded([*words, length, *angles], ("phi",)) == [*words, angles[1]]
+
+
+def test_the_origin_is_in_the_middle_of_a_circle_about_it() -> None:
+    for panel in drawings("ex-1-12")["vectors of P"].panels:
+        assert [m.at for m in panel.marks if isinstance(m, Tag) and m.words == line(Name("O"))] == [(0.0, 0.0)]

@@ -287,7 +287,7 @@ def _arm(place: Place) -> Iterator[Mark]:
 
 
 def _middle(place: Place) -> Iterator[Mark]:
-    """Named points at rest at the middle of a closed path."""
+    """What is at rest at the middle of a closed path: a point with a name, or the origin."""
     scene, way = place.drawn.scene, place.way
     if len(way) > 1 and math.dist(way[0], way[-1]) < FLAT * extent_of(way) and not _has_arm(place):
         middle = tuple(sum(s[i] for s in way[1:]) / (len(way) - 1) for i in (0, 1))
@@ -296,6 +296,8 @@ def _middle(place: Place) -> Iterator[Mark]:
             if not point.unnamed and spot is not None and math.dist(spot, middle) < FLAT * extent_of(way):
                 yield from (Symbol("point", spot), Tag(spot, line(Name(index_of(point.name)))))
                 return
+        if math.hypot(*middle) < FLAT * extent_of(way) and all(p.name != "O" for p in scene.problem.points):
+            yield from (Symbol("origin", (0.0, 0.0)), Tag((0.0, 0.0), line(Name("O"))))
 
 
 def _unit_vectors(place: Place, parts: tuple[float, float], size: float) -> Iterator[Mark]:
