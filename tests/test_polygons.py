@@ -189,3 +189,8 @@ def test_a_polygon_that_would_be_tiny_beside_that_of_another_state_has_its_own_s
     ]
     assert told(first.note) == "to a larger scale than the others"
     assert last.note == ()
+
+
+def test_a_polygon_that_a_later_step_repeats_is_drawn_once() -> None:
+    names = [name for name, _ in figures_of(drawn_page("slider-crank-free"))]
+    assert len([n for n in names if n.startswith("accelerations")]) == 1

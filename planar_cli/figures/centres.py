@@ -21,6 +21,7 @@ from planar_cli.figures.shapes import body_marks, moved
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND, Find
+from planar_cli.problem.sketches import Slide
 from planar_cli.records import record
 from planar_cli.report.blocks import Block, Check, Equation, Line, Math, Name, Paragraph, Text, line
 from planar_cli.report.marks import Arrow, Figure, Mark, Panel, Polyline, Spot, Symbol, Tag, Turn, spots_of
@@ -33,7 +34,7 @@ from planar_cli.solve.solved_problem import Solution
 TOLD = re.compile(r"instantaneous centre of (?P<body>[^\s:]+):")
 """What a page says before it works with a centre: `…, the instantaneous centre of AB:`."""
 SPEED = re.compile(r"v_(?P<point>.+)")
-ASKED = "IC"
+ASKED, PRIME = "IC", "′"
 FASTEST = 2.0
 """The length of the arrow of the fastest point, in parts of a usual one; the others are to its scale."""
 FARTHEST = 5.0
@@ -158,10 +159,22 @@ def _centre(moving: Found, body: str, names: Sequence[str]) -> Centre | None:
             found.append((line(Name(f"v_{name}")), name, at, v))
     if not found:
         return None
+    for name, place in _slides_over(moving.drawn, body):
+        at, v = moving.drawn.spot(place), moving.drawn.spot(moving.motion.velocity(place, body))
+        if at is not None and v is not None and math.hypot(*v) > TINY:
+            found.append((line(Name(f"v_{index_of(name)}{PRIME}")), index_of(name), at, v))
     (_, _, (x, y), (vx, vy)) = found[0]
     return Centre(
         body, (x - vy / omega, y + vx / omega), tuple(found), omega, line(Math(spin)) if spin.is_Symbol else ()
     )
+
+
+def _slides_over(drawn: Drawn, body: str) -> Iterator[tuple[str, Vec]]:
+    """Fixed points over which a body slides: there it moves along itself."""
+    for joint in drawn.scene.problem.joints:
+        for sketch in sketch_of(drawn, joint):
+            if isinstance(sketch, Slide) and sketch.pinned and sketch.track == body:
+                yield str(getattr(joint, "point", "")), sketch.at
 
 
 def _place(drawn: Drawn, body: str, name: str) -> Vec | None:

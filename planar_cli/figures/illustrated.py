@@ -32,6 +32,7 @@ from planar_cli.report.mentioned import names_in
 from planar_cli.report.read_off import INTEGRATED, UNIFORM_MOTION
 from planar_cli.solve.solved_problem import Solution
 
+POLYGONS = ("velocities", "accelerations")
 CASE, STATE = "CASE", "STATE"
 """The labels over a case and over a state, whose name is the text."""
 
@@ -42,14 +43,18 @@ def illustrated(document: Document, solution: Solution) -> Document:
 
 
 def _drawn_once(blocks: Iterable[Block]) -> Iterator[Block]:
-    """Without figures that show again what stands above: a blow of which a case repeats all diagrams."""
+    """Without figures that show again what stands above: a blow of which a case repeats all diagrams, a polygon that a
+    later step tells with numbers.
+    """
     seen = set[str]()
     for block in blocks:
         # Letters that are spelled alike look the same, whatever is known of them.
-        looks = repr(block.figure) if isinstance(block, Drawing) else ""
-        if looks not in seen:
+        looks = {repr(block.figure)} if isinstance(block, Drawing) else set[str]()
+        parts = {repr(p) for p in block.figure.panels} if isinstance(block, Drawing) else set[str]()
+        again = isinstance(block, Drawing) and block.figure.name in POLYGONS and parts <= seen
+        if not (looks and looks <= seen) and not again:
             yield block
-        seen |= {looks} - {""}
+        seen |= looks | parts
 
 
 def _blocks(document: Document, solution: Solution) -> Iterator[Block]:
