@@ -39,3 +39,12 @@ def test_no_check_repeats_an_equation() -> None:
         for part in page.split("CASE"):
             solved, _, check = part.partition("Check")
             assert not ("ΣM_G:" in solved and "ΣM_G =" in check)
+
+
+def test_no_equation_is_taken_that_needs_another_unknown() -> None:
+    """The normal force of the sliding end serves tests alone: moments about that end tell its acceleration."""
+    assert "plank, moments about A: (2) ↺ ΣM_A:" in page_of_file("plank-whose-upper-end-drops")
+
+
+def test_the_line_of_a_blow_stays_for_both_bodies_together() -> None:
+    assert "A, B, momentum along the line: (8) ↗" in page_of_file("rope-that-jerks-taut")

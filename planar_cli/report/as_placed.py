@@ -51,8 +51,8 @@ def with_arm(sides: Sequence[Line], in_numbers: bool, arm: Line) -> Iterator[Equ
     """A vector equation with its arm: before it where the numbers of the arm stand in it, else behind it, as one along
     an axis, of which only a length stands in it.
     """
-    along_an_axis = any(isinstance(piece, Value) and piece.number == 0 for piece in arm)
-    if not in_numbers or not arm or along_an_axis:
+    numbers = [piece.number for piece in arm if isinstance(piece, Value)]
+    if not in_numbers or not numbers or 0 in numbers:
         yield Equation(tuple(sides), None, note=arm)
         return
     yield Equation(_sides_of(arm), None)

@@ -35,8 +35,8 @@ def named_ways(system: System, numbers: Numbers, bodies: tuple[str, ...]) -> lis
             if push.kind not in DRAWN or action.body not in bodies or force is None or not _slants(numbers, force):
                 continue
             if push.kind == "tension":
-                if all(a.body in bodies for a in push.actions):
-                    continue  # what two bodies of a group do to each other is not drawn
+                if push.member and all(a.body in bodies for a in push.actions):
+                    continue  # within a group it is not drawn
                 tie = push.member or scene.problem.called(push.joint)
                 found += [(force, f"along {tie}"), (force.turned(), f"perpendicular to {tie}")]
             elif _several_at(system, push):

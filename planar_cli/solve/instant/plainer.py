@@ -15,6 +15,7 @@ from planar_cli.equation.centres import centre_of
 from planar_cli.equation.system import System
 from planar_cli.problem.geometry import Vec
 from planar_cli.records import record
+from planar_cli.solve.instant.adjoint import sum_masks
 from planar_cli.solve.instant.candidates import Candidate
 from planar_cli.solve.instant.partners import axis_of
 from planar_cli.solve.instant.plan import Block, Plan
@@ -53,10 +54,20 @@ def with_plainer_equations(plan: Plan, system: System, about: About, sums: Sums,
                 offered = [about(body, center, name)]
             elif e.choice is not None and e.choice.moment and own & kinds.moving:
                 offered = sums((body,))
-        plainer = next((c for c in offered if c is not None and c.mask & own and not c.mask & ~(known | own)), None)
+        at_hand = known & _used_elsewhere(plan, block) | own
+        plainer = next((c for c in offered if c is not None and c.mask & own and not c.mask & ~at_hand), None)
         found.append(block if plainer is None else replace(block, equations=(plainer,)))
         known |= own
     return Plan(tuple(found))
+
+
+def _used_elsewhere(plan: Plan, block: Block) -> int:
+    """The unknowns on which this block or another one rests: what serves a test alone would have to be told for it."""
+    found = sum_masks(e.mask for e in block.equations)
+    for other in plan.blocks:
+        if other is not block:
+            found |= sum_masks(e.mask for e in other.equations) & ~sum(1 << j for j in other.unknowns)
+    return found
 
 
 def _body(e: Candidate, system: System) -> str:
