@@ -55,3 +55,11 @@ def test_a_load_on_a_pulley_hangs_under_it() -> None:
     assert [m.at for m in hoist if isinstance(m, Symbol) and m.kind == "block"] == [(0.0, -0.8)]
     swing = drawings("swing-from-which-the-cord-just-holds")["scene"].panels[0].marks
     assert {m.kind for m in swing if isinstance(m, Symbol)} == {"particle", "support", "point", "place"}
+
+
+def test_the_light_rod_between_two_bodies_of_a_group_is_in_its_diagrams() -> None:
+    group = drawings("hoist-with-moving-pulley")["pulley, load"]
+    for panel in group.panels:
+        assert [m.places for m in panel.marks if isinstance(m, Polyline) and m.style == "thin"] == [
+            ((0.0, 0.0), (0.0, -0.8))
+        ]

@@ -9,11 +9,11 @@ from itertools import pairwise
 
 from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.hanging import in_its_loop
-from planar_cli.figures.partners import sketch_of
+from planar_cli.figures.partners import between, sketch_of
 from planar_cli.figures.rings import extent_of, moved_by, turn, way_of
 from planar_cli.figures.shapes import moved
 from planar_cli.problem.scene import Particle, Round
-from planar_cli.problem.sketches import Cord, CordStop
+from planar_cli.problem.sketches import Bar, Cord, CordStop
 from planar_cli.records import record
 from planar_cli.report.marks import Arc, Mark, Polyline, Spot, Symbol
 
@@ -88,8 +88,11 @@ def cord_marks(drawn: Drawn, sketch: Cord) -> Iterator[Mark]:
 
 
 def ropes_within(drawn: Drawn, bodies: frozenset[str]) -> Iterator[Mark]:
-    """The ropes between bodies that are drawn together."""
+    """The ropes and light rods between bodies that are drawn together."""
     for joint in drawn.scene.problem.joints:
+        ends = [(drawn.scene.owner(name), drawn.named(name)) for name in between(joint)]
+        if any(isinstance(s, Bar) for s in sketch_of(drawn, joint)) and all(owner in bodies for owner, _ in ends):
+            yield Polyline(tuple(spot for _, spot in ends if spot is not None), "thin")
         for sketch in sketch_of(drawn, joint):
             if isinstance(sketch, Cord) and all(not s.fixed and s.body in bodies for s in sketch.stops):
                 yield from cord_marks(drawn, sketch)
