@@ -119,13 +119,12 @@ class Carried:
         """The largest length that the file gives, m; one that goes with its other numbers where it gives none."""
         known = [g.value for g in self.problem.given if isinstance(g.value, Number) and g.value.unit is not None]
         lengths = [n for n in known if parse_unit(n.unit or "").dimension == LENGTH]
-        found = max((abs(self._drawing.sides.value(n).value) for n in lengths), default=0.0)
-        return found or scales_of(self.problem).length
+        sizes = (abs(self._drawing.sides.value(n).value) for n in lengths)
+        return max(sizes, default=0.0) or scales_of(self.problem).length
 
     def free_name(self, stem: str) -> str:
         """A name for a variable that no other variable has."""
-        taken = set(self.graph.names.values())
-        while stem in taken:
+        while stem in self.graph.names.values():
             stem += "_"
         return stem
 
@@ -186,8 +185,9 @@ class Carried:
     # --- where things are --------------------------------------------------------------------------------------------
 
     def place_drawn(self, name: str) -> Vec:
-        """The place of a point as drawn, in plain numbers."""
-        return _numbers(self._drawing.point(name))
+        """The place of a point as drawn, in plain numbers; of a body, by whose name a rope may end, its mass centre."""
+        is_body = name in self.drawn and name not in self.free and name not in points_of(self.problem)
+        return self.drawn_center(name) if is_body else _numbers(self._drawing.point(name))
 
     def drawn_center(self, body: str) -> Vec:
         """The mass centre as drawn, in plain numbers."""
