@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from planar_cli.errors import Mark
-from planar_cli.homework.followed_mistakes import MOST, left_out
+from planar_cli.homework.followed_mistakes import FEW, MOST, left_out
 from planar_cli.homework.homework import prepared
 from planar_cli.homework.set_file import SetProblem
 from planar_cli.homework.worked_problem import read_and_solve
@@ -52,7 +52,9 @@ def test_mistakes_that_are_not_looked_for_are_told(tmp_path: Path) -> None:
     path = tmp_path / "sled.yaml"
     path.write_text(SLED)
     problem = read_and_solve(str(path), "sled")
-    assert not [*left_out(problem, MOST)]
+    assert not [*left_out(problem, FEW)]
+    (told,) = left_out(problem, MOST)
+    assert told.endswith("in 5 variants or more data ten times off are not told there")
     (told,) = left_out(problem, MOST + 1)
     assert told.startswith("x_2 and v_2 are found by following a motion in numbers; in 30 variants or more mistakes")
 

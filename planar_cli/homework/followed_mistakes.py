@@ -12,6 +12,7 @@ from planar_cli.errors import PlanarError
 from planar_cli.homework.changed_data import changed_data
 from planar_cli.homework.literal_data import with_names
 from planar_cli.homework.mistakes.base import Mistake
+from planar_cli.homework.named_mistakes import LOOK
 from planar_cli.homework.paper import Expected, Mistaken
 from planar_cli.homework.what_mistakes_give import is_clearly_wrong
 from planar_cli.homework.worked_problem import Part, WorkedProblem
@@ -27,6 +28,8 @@ from planar_cli.solve.solution import Found
 ONCE = Settings(estimate=False, balanced=False, check=False)
 MOST = 30
 """Of so many, the file and its variants, data are changed at most: each mistake is a motion to be followed."""
+FEW = 5
+"""Of so many at most, data are also a power of ten off, which is six motions for each of them."""
 SAME = 1e-3
 """Relative: what is followed gives what was found, if not, its mistakes say nothing."""
 Numbers = dict[str, tuple[float, ...]]
@@ -51,17 +54,20 @@ def with_followed(
                 continue
             wrong = list(_without_effects(own_problem, finds, earlier))
             if len(values) <= MOST:
-                wrong += _with_other_data(problem, part, own_problem, (own, earlier), finds)
+                wrong += _with_other_data(problem, part, own_problem, (own, earlier), finds, len(values) <= FEW)
             made[k] = tuple(_with(e, wrong) if e.find in {f.name for f in finds} else e for e in made[k])
     return made
 
 
 def left_out(problem: WorkedProblem, count: int) -> Iterator[str]:
     """What is to be said of mistakes that are not looked for in so many variants, that of the file among them."""
-    names = [f.name for part in problem.parts for f in _followed_finds(part)] if count > MOST else []
+    names = [f.name for part in problem.parts for f in _followed_finds(part)] if count > FEW else []
     if names:
         told = f"{listed(names, 'and')} {'is' if len(names) == 1 else 'are'} found by following a motion in numbers"
-        yield f"{told}; in {MOST} variants or more mistakes in its data, as sine for cosine, are not told there"
+        most, what = (
+            (MOST, "mistakes in its data, as sine for cosine,") if count > MOST else (FEW, "data ten times off")
+        )
+        yield f"{told}; in {most} variants or more {what} are not told there"
 
 
 def _followed_finds(part: Part) -> list[Found]:
@@ -122,12 +128,15 @@ def _with_other_data(
     own: Problem,
     known: tuple[Mapping[str, str], Mapping[str, float]],
     finds: Sequence[Found],
+    powers: bool,
 ) -> Iterator[tuple[str, str, Numbers]]:
     """By mistake: its name, what it says, and what comes out with its data. `own`: the part with the numbers of a
-    variant; `known`: these, and the finds of earlier cases.
+    variant; `known`: these, and the finds of earlier cases; `powers`: may data be a power of ten off?
     """
     values, earlier = known
     for name, said, data in changed_data(own):
+        if said.endswith(LOOK) and not powers:
+            continue
         changed = _problem(problem, part, {**values, **data})
         if changed is not None:
             yield name, said, _numbers(changed, finds, earlier)
