@@ -284,6 +284,8 @@ def test_a_guide_presses_on_an_edge_of_what_slides_in_it_and_holds_with_no_coupl
     (face,) = [m.places for m in wedge if isinstance(m, Polyline) and m.closed]
     assert push.inward
     assert push.at == pytest.approx((0.0, min(y for _, y in face)))
+    (hit,) = [m for m in wedge if isinstance(m, Arrow) and plain(m.words[0]) == "J_N_hit"]
+    assert hit.inward, "and the ball from outside, though the file has no other place of the wedge"
 
 
 def test_the_angle_of_a_radius_stands_in_the_diagram_of_what_it_places() -> None:

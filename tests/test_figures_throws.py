@@ -5,9 +5,12 @@ from __future__ import annotations
 import math
 
 import pytest
-from test_figures_states import marks_of
+from test_figures_states import marks_of, named
+from worked import worked
 
+from planar_cli.figures.illustrated import figures_of, illustrated
 from planar_cli.report.marks import Dimension, Hatched, Symbol
+from planar_cli.report.narrate import narrate
 
 
 def test_a_throw_against_a_wall_lands_on_the_ground() -> None:
@@ -29,3 +32,13 @@ def test_a_fixed_particle_that_is_struck_is_an_edge(stem: str) -> None:
     assert edge.at == (0.0, 0.0)
     assert math.cos(edge.angle) == pytest.approx(1)
     assert not any(isinstance(m, Symbol) and m.kind in ("particle", "weld") for m in marks)
+
+
+def test_what_hangs_aslant_has_its_support_above() -> None:
+    """A plate that a jet holds at 60° from the upright in the second case."""
+    solution = worked(named("jet-against-a-hinged-plate"))[0]
+    figures = [f for name, f in figures_of(illustrated(narrate(solution), solution)) if name.startswith("scene")]
+    supports = [
+        m.angle for f in figures for p in f.panels for m in p.marks if isinstance(m, Symbol) and m.kind == "support"
+    ]
+    assert supports == [math.pi] * 2

@@ -149,6 +149,8 @@ def _panel(drawn: Drawn, row: Forces, side: _Side, solution: Solution) -> Panel:
             made = [_put(m, insides[at], vector.way.kind) for m in _mark(drawn, vector, at, middle, side.style)]
         elif led := _led(drawn, vector, row, at):
             made = [_on_edge(m, [r.places for r in body_marks(drawn, led) if _is_area(r)]) for m in made]
+        elif at == center and vector.way.kind == "normal":
+            made = [_touched(m, areas) for m in made]
         elif named is None and at != center:
             near = NOT_NEEDED in vector.told
             made = [_on_edge(_within(m, areas) if near else m, areas) for m in made]
@@ -266,6 +268,13 @@ def _led(drawn: Drawn, vector: _Vector, row: Forces, at: Spot) -> BodyModel | No
 
 def _is_area(mark: Mark) -> TypeGuard[Polyline]:
     return isinstance(mark, Polyline) and mark.closed
+
+
+def _touched(mark: Mark, areas: Sequence[Sequence[Spot]]) -> Mark:
+    """A force from outside, where it acts on an edge: a body may have no other place than that, and no mass centre."""
+    there = _on_edge(mark, areas)
+    near = isinstance(mark, Arrow) and isinstance(there, Arrow) and math.dist(there.at, mark.at) < LEVEL
+    return there if near else mark
 
 
 def _within(mark: Mark, areas: Sequence[Sequence[Spot]]) -> Mark:

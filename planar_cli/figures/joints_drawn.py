@@ -35,7 +35,7 @@ from planar_cli.report.marks import Arrow, Coil, Dashpot, Mark, Polyline, Spot, 
 
 CORD = 0.6
 """So long is the cord at whose end something pulls, in parts of the scene."""
-HANGING = 0.6
+HANGING = 0.45
 """The sine of the angle below the level from which on what a support holds hangs."""
 
 

@@ -13,6 +13,8 @@ NUMBER = re.compile(
     r"(?<![\w.])(\d+(?:\.\d+)?)(?!\.?\d)(?!\s*[a-z]+/)(?!\s*-?(?:rad|deg|rev|rpm|t|k?g|k?N|k?J|k?W|m?s|min|h|lb|lbf|k?Hz|%)\b)"
 )
 """In a text, but not the size of something else than a length."""
+UNITS = r"[\s-]+(?:[ckm]?m|ft|in|met(?:re|er)s?|(?:centi|milli|kilo)met(?:re|er)s?|foot|feet|inch(?:es)?|miles?)\b"
+"""Behind a number in words: two weights tell no length."""
 WORDS = ("one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten")
 
 
@@ -25,7 +27,9 @@ def is_stated(problem: Problem, side: Side) -> bool:
     if not text.strip() or not lengths:
         return True
     told = {_digits(Decimal(n)) for n in NUMBER.findall(text)}
-    told |= {_digits(Decimal(i)) for i, word in enumerate(WORDS, 1) if re.search(rf"\b{word}\b", text, re.IGNORECASE)}
+    told |= {
+        _digits(Decimal(i)) for i, word in enumerate(WORDS, 1) if re.search(rf"\b{word}{UNITS}", text, re.IGNORECASE)
+    }
     return all(_digits(Decimal(n.value.numerator) / Decimal(n.value.denominator)) in told for n in lengths)
 
 
