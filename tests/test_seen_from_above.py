@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 import pytest
+from test_figures_bodies import drawings as of_file
 
 from planar_cli.figures.illustrated import figures_of, illustrated
 from planar_cli.problem.structure import load_text
@@ -71,3 +72,9 @@ def test_a_track_that_is_left_ends_there_and_the_ground_lies_under_the_fall() ->
     chute, floor = sorted((m.places for m in marks if isinstance(m, Hatched)), key=len, reverse=True)
     assert sorted((chute[0], chute[-1])) == [pytest.approx((-2.0, 3.0)), pytest.approx((0.0, 1.0))]
     assert {y for _, y in floor} == {0.0}
+
+
+def test_a_ring_in_which_gears_roll_is_no_road() -> None:
+    marks = of_file("kinematics/two-planetary-stages")["scene"].panels[0].marks
+    assert not [m for m in marks if isinstance(m, Polyline) and m.style == "lane"]
+    assert [m for m in marks if isinstance(m, Hatched)]

@@ -55,14 +55,18 @@ def is_slot(surface: Surface, joints: Sequence[Joint]) -> bool:
     return any(surface.name in between(j) and getattr(j, "point", "") and not getattr(j, "body", None) for j in joints)
 
 
+def leads(joint: Joint) -> bool:
+    """Does it lead something along a track, and hold it on both sides?"""
+    return getattr(joint, "along", None) is not None
+
+
 def is_lane(problem: Problem, name: str) -> bool:
-    """Is a fixed surface a road, a rail or a groove that is seen from above? What touches it runs along it, and
-    nothing in the file falls.
+    """Is a fixed surface a bend of a road, a rail or a groove that is seen from above? What touches it runs along it,
+    and nothing in the file falls.
     """
     own = [j for j in problem.joints if name in between(j)]
-    guided = all(j.guides for j in own)
-    fixed = any(s.name == name and s.body is None for s in problem.surfaces)
-    return problem.plane != "vertical" and fixed and bool(own) and guided
+    fixed = any(s.name == name and s.body is None and not isinstance(s.shape, Line) for s in problem.surfaces)
+    return problem.plane != "vertical" and fixed and bool(own) and all(map(leads, own))
 
 
 def between(joint: Joint) -> tuple[str, ...]:

@@ -10,7 +10,7 @@ import sympy as sp
 from planar_cli.equation.curves import carrier_pose, curve_place
 from planar_cli.errors import PlanarError
 from planar_cli.figures.drawn import Drawn
-from planar_cli.figures.partners import between, is_lane
+from planar_cli.figures.partners import between, is_lane, leads
 from planar_cli.figures.rings import side_of
 from planar_cli.figures.shapes import moved
 from planar_cli.problem.geometry import Vec
@@ -148,7 +148,7 @@ def _circle(
 def _is_left(drawn: Drawn, surface: Surface) -> bool:
     """Does a track hold what runs along it only from one state to another, as far as which it goes?"""
     own = [j for j in drawn.scene.problem.joints if surface.name in between(j)]
-    return bool(own) and all(j.guides and j.during is not None for j in own)
+    return bool(own) and all(leads(j) and j.during is not None for j in own)
 
 
 def _touches(rim: Arc, center: Spot, radius: float) -> bool:
