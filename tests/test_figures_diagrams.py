@@ -267,6 +267,11 @@ def test_lines_that_meet_far_away_tell_where_they_go() -> None:
     assert not any(m.style == "way" for m in kinetic.marks if isinstance(m, Polyline))
 
 
+def test_what_stays_the_same_all_the_time_is_told_by_its_shorter_name_too() -> None:
+    """The only body's acceleration, a_y on the page."""
+    assert notes("ball-off-a-smooth-wall")[0] == "found: a_y*m downward"
+
+
 def test_senses_that_rest_on_a_restitution_or_on_another_case_are_told() -> None:
     """(e - 3) v is negative for every e from 0 to 1; of an impulse that only the first case finds the figure of the
     second says the same, and is not drawn again; what slants is told by its quadrant.

@@ -23,7 +23,7 @@ from planar_cli.report.blocks import Forces, Inline, Line, Math, line
 from planar_cli.report.marks import Arrow, Mark, Panel, Turn
 from planar_cli.report.names import plain_name
 from planar_cli.report.numbers import rotation_words
-from planar_cli.solve.between.trace import ImpactEquation, MotionTrace, RouteStep
+from planar_cli.solve.between.trace import ImpactEquation, MotionTrace, RegimeTrace, RouteStep
 from planar_cli.solve.instant.worked import unknowns_of
 from planar_cli.solve.solution import InstantSolution
 from planar_cli.solve.solved_problem import PartSolution, Solution
@@ -204,7 +204,8 @@ def _of_motion(
     data = {s: (s, motion.value.known(s)) for s in letters}
     for regime in motion.regimes:
         if regime.solution.instant.scene is row.scene:
-            yield {s: regime.constants.get(s) or (s, _asked(s, part) if n is None else n) for s, (_, n) in data.items()}
+            fixed = _constants(regime)
+            yield {s: fixed.get(s.name) or (s, _asked(s, part) if n is None else n) for s, (_, n) in data.items()}
     for leg in motion.route.steps:
         if (blow := next((b for b in _blows(leg) if b.instant.scene is row.scene), None)) is not None:
             told = {s: _of_blow(s, leg, part, motion) if n is None else n for s, (_, n) in data.items()}
@@ -229,6 +230,14 @@ def _as_in_other_cases(blow: InstantSolution, solution: Solution) -> dict[Symbol
 
 def _held(problem: Problem) -> tuple[object, ...]:
     return problem.joints, problem.loads, problem.points, problem.bodies
+
+
+def _constants(regime: RegimeTrace) -> dict[str, tuple[Expr, Decimal | None]]:
+    """What does not change on a stretch, by its names: of the only body also by that without it, a_y for a_ball_y."""
+    bodies = [*regime.solution.instant.scene.bodies]
+    own = f"_{bodies[0]}_" if len(bodies) == 1 else ""
+    short = {s.name.replace(own, "_", 1): told for s, told in regime.constants.items() if own and own in s.name}
+    return short | {s.name: told for s, told in regime.constants.items()}
 
 
 def _solved(motion: MotionTrace) -> dict[Symbol, Expr]:
