@@ -20,3 +20,12 @@ def test_pieces_of_a_table_are_compared_term_by_term() -> None:
     heading, rate = Paragraph(line("For the angle of the rotor:")), Math(sp.Symbol("theta_rotor_ddot"))
     assert without_given([heading, Equation((rate, Math(expanded)))], [solved]) == []
     assert len(without_given([heading, Equation((rate, Math(table(15 - T))))], [solved])) == 2
+
+
+def test_the_letter_of_a_table_stands_for_its_pieces() -> None:
+    letter, inertia = sp.Symbol("M_rotor"), sp.Symbol("J")
+    defined = Equation((Math(letter), Math(table(15 - 5 * T))), None, line("torque rotor:"))
+    solved = Equation((Math(sp.Symbol("alpha_rotor")), Math(letter / inertia)), None, line("(1):"))
+    heading, rate = Paragraph(line("For the angle of the rotor:")), Math(sp.Symbol("theta_rotor_ddot"))
+    law = Equation((rate, Math(table(15 - 5 * T) / inertia)))
+    assert without_given([heading, law], [defined, solved]) == []

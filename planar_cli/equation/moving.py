@@ -193,7 +193,8 @@ def _named(wrench: Wrench, scene: Scene, setting: Moving) -> Wrench:
     """
     magnitude = sp.sympify(wrench.magnitude)
     pieced = magnitude.has(sp.Piecewise)
-    if wrench.force is None or not (pieced or longer(magnitude, 3)) or scene.rests_on_sought(magnitude):
+    long = pieced or (wrench.force is not None and longer(magnitude, 3))
+    if not long or scene.rests_on_sought(magnitude):
         return wrench
     kind = kind_of(wrench) or Load
     own = next((x for x in scene.problem.loads if (x.kind, x.name) == (wrench.kind, wrench.name)), None)
@@ -206,7 +207,10 @@ def _named(wrench: Wrench, scene: Scene, setting: Moving) -> Wrench:
     magnitude = -magnitude if pushes else magnitude
     symbol = next((s for s, t in ledger.titles.items() if t == title and ledger.definitions[s] == magnitude), None)
     if symbol is None:
-        symbol = ledger.define(f"{kind.letter}_{wrench.name}", magnitude, "N", title)
+        unit = "N*m" if wrench.force is None else "N"
+        symbol = ledger.define(f"{kind.letter}_{wrench.name}", magnitude, unit, title)
+    if wrench.force is None:
+        return replace(wrench, couple=wrench.couple.xreplace({magnitude: symbol}), magnitude=symbol)
     if pieced:
         # SymPy divides every piece, also those that are zero.
         force = Vec(*(p.xreplace({magnitude: symbol}) for p in (wrench.force.x, wrench.force.y)))

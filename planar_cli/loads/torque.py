@@ -50,6 +50,8 @@ class Torque(Load):
 
     kind: ClassVar[str] = "torque"
     effect: ClassVar[Effect] = Effect("applied torque", rank=2)
+    line: ClassVar[str] = "torque {}"
+    letter: ClassVar[str] = "M"
     turns_only: ClassVar[bool] = True
     choices: ClassVar[tuple[Choice, ...]] = (
         Choice(((), ("body",), ("between",)), "`body: b`, or `between: [a, b]`: on b, reversed on a"),

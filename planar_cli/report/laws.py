@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from decimal import Decimal
 from typing import Any
 
@@ -136,7 +137,8 @@ def without_given(moving: Sequence[Block], before: Sequence[Block]) -> list[Bloc
     data = (line("given:"), line("differentiated:"))
     told = [b for b in before if isinstance(b, Equation)]
     given = {_text(b) for b in told if b.lead in data} - {""}
-    solved = [b for b in told if b.lead and b.number is None]
+    tables = _tables(told)
+    solved = [_opened(b, tables) for b in told if b.lead and b.number is None]
     found: list[Block] = []
     for block in moving:
         heading = found[-1] if found else None
@@ -152,6 +154,24 @@ def without_given(moving: Sequence[Block], before: Sequence[Block]) -> list[Bloc
         else:
             found.append(block)
     return found
+
+
+def _tables(told: Iterable[Equation]) -> dict[sp.Expr, sp.Expr]:
+    """The pieces of what has a letter: M_rotor = 10 for t < 1; 15 - 5 t for t > 1."""
+    found: dict[sp.Expr, sp.Expr] = {}
+    for equation in told:
+        match equation.sides[:2]:
+            case (Math(expr=letter), Math(expr=pieces)) if letter.is_Symbol and pieces.has(sp.Piecewise):
+                found[letter] = pieces
+    return found
+
+
+def _opened(told: Equation, tables: Mapping[sp.Expr, sp.Expr]) -> Equation:
+    """The same with the pieces of a table for its letter."""
+    if not tables:
+        return told
+    sides = (replace(s, expr=s.expr.xreplace(tables)) if isinstance(s, Math) else s for s in told.sides[1:])
+    return replace(told, sides=(told.sides[0], *sides))
 
 
 def _is_last(law: Equation, solved: Sequence[Equation]) -> bool:
