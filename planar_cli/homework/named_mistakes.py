@@ -35,6 +35,9 @@ def named(one: Graded, expected: Expected, values: Sequence[float], answer: Type
     if not told or min(told) < min(FEWEST, asked):
         return one
     places = _last_places(values, answer, asked)
+    if len(values) == 1:
+        (value,), least = values, _least(values[0], places[0])
+        return _told(one, [m for m in expected.mistakes if len(m.values) == 1 and abs(m.values[0] - value) <= least])
     return _told(one, [m for m in expected.mistakes if _same(m.values, values, places)])
 
 
@@ -105,4 +108,9 @@ def _close(due: float, value: float, place: float, size: float) -> bool:
         return False
     if not value:
         return abs(due) <= WIDEST * size
-    return abs(due - value) <= max(LAST_PLACE * place, 1e-6 * abs(value))
+    return abs(due - value) <= _least(value, place)
+
+
+def _least(value: float, place: float) -> float:
+    """How far off a number that was typed may be that has this unit in its last place."""
+    return max(LAST_PLACE * place, 1e-6 * abs(value))

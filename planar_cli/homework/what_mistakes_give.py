@@ -177,8 +177,10 @@ def is_clearly_wrong(right: Expected, values: tuple[float, ...]) -> bool:
     """Is it clearly another number than the right one, and not nothing?"""
     if len(values) != len(right.values) or not all(map(math.isfinite, values)):
         return False
+    if len(values) == 1:
+        (number,), (due,) = values, right.values
+        least = TELLING * right.tolerance * abs(due)
+        return abs(number - due) > least and abs(number + due) > least and abs(number) > NOTHING * abs(due)
     size = math.hypot(*right.values)
-    least = TELLING * right.tolerance * size
-    if math.dist(values, right.values) <= least or (len(values) == 1 and abs(values[0] + right.values[0]) <= least):
-        return False
-    return any(values) and math.hypot(*values) > NOTHING * size
+    apart = math.dist(values, right.values) > TELLING * right.tolerance * size
+    return apart and math.hypot(*values) > NOTHING * size
