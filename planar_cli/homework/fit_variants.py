@@ -14,6 +14,7 @@ from planar_cli.errors import Mark, PlanarError
 from planar_cli.homework.course import course_of
 from planar_cli.homework.given_letters import with_given
 from planar_cli.homework.mistakes.base import NOT_CARRIED_OUT
+from planar_cli.homework.named_mistakes import LOOK
 from planar_cli.homework.paper import Expected
 from planar_cli.homework.same_formula import formula_changes_sign
 from planar_cli.homework.variant_draws import Draw
@@ -133,9 +134,13 @@ def _nudged(draw: Draw) -> Draw:
 
 
 def _wrong(problem: WorkedProblem) -> dict[tuple[str, str, str], tuple[float, ...]]:
-    """What mistakes give that can be carried out: by the mistake, what it says, and the find."""
+    """What mistakes give that can be carried out: by the mistake, what it says, and the find; but for data
+    with their decimal point elsewhere.
+    """
     found = {}
     for name, model in models_of(problem):
+        if model.model.feedback.endswith(LOOK):
+            continue
         try:
             run = Carried(problem, {}, model)
             for part, one in in_equations(problem):

@@ -35,6 +35,7 @@ from planar_cli.homework.fit_variants import (
 )
 from planar_cli.homework.given_letters import with_given
 from planar_cli.homework.mistakes.base import NOT_CARRIED_OUT
+from planar_cli.homework.named_mistakes import LOOK
 from planar_cli.homework.own_gravity import GRAVITY
 from planar_cli.homework.paper import Expected
 from planar_cli.homework.same_formula import as_in_file
@@ -250,6 +251,9 @@ def _too_close(
 ) -> Iterator[tuple[str, str, np.ndarray]]:
     """Where mistakes that give a clearly wrong number with the values of the file do not: which, of which find."""
     for name, model in models_of(problem):
+        if model.model.feedback.endswith(LOOK):
+            # With a value of little influence elsewhere than its decimal point no combination is spoilt.
+            continue
         try:
             here, there = Carried(problem, {}, model), Carried(problem, values, model)
         except NOT_CARRIED_OUT:

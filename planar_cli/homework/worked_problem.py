@@ -213,6 +213,11 @@ class ModelOf:
         inputs = dict(known)
         for symbol, formula in self.model.inputs.items():
             numbers = {s: known.get(s, np.array([base[s]])) for s in formula.free_symbols}
+            factor, rest = formula.as_coeff_Mul()
+            if rest in numbers:
+                # Ten times a datum: nothing is compiled for that.
+                inputs[symbol] = float(factor) * numbers[rest]
+                continue
             names = sorted(formula.free_symbols, key=lambda s: s.name)
             call = sp.lambdify([sp.Symbol(f"q{i}") for i in range(len(names))], _renamed(formula, names), "numpy")
             inputs[symbol] = np.asarray(call(*(numbers[s] for s in names)), dtype=float)
