@@ -116,6 +116,7 @@ find: {t_end: t @ end}
 """
 
 
+@pytest.mark.slow
 def test_a_start_beside_that_of_what_slides_slides_too(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     file = tmp_path / "braking.yaml"
     file.write_text(BRAKING, encoding="utf-8")

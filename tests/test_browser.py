@@ -25,7 +25,7 @@ QUIET = (
     "--headless --no-sandbox --disable-gpu --disable-quic --no-first-run --disable-background-networking "
     "--disable-component-update --disable-sync --enable-logging=stderr --dump-dom"
 )
-EVERY = 80
+EVERY = 160
 """Every so many problem files are opened in each run, all of them in the slow studies."""
 needs_browser = pytest.mark.skipif(BROWSER is None, reason="no Chromium is installed (Debian's package chromium)")
 

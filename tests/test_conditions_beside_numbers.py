@@ -72,6 +72,7 @@ def _page(text: str) -> str:
     return " ".join(Terminal(width=200).render(narrate(solve_problem(problem))).split())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("text", "masses", "told"),
     [
@@ -97,11 +98,13 @@ def test_with_numbers_alone_nothing_is_assumed() -> None:
     assert " > " not in page.split("STEP 1")[0]
 
 
+@pytest.mark.slow
 def test_a_window_that_few_draws_meet() -> None:
     """The force lies between that at which the blocks move and that at which the upper one slides, twice as large."""
     assert "v = v_A,2 = √(2 (F - μ (M + m) g) d / (M + m))" in _page(STACKED)
 
 
+@pytest.mark.slow
 def test_no_drawn_number_leaves_the_program() -> None:
     text = ON_A_TABLE.replace("find:", "assume: [m < mu*M]\nfind:")
     problem, wrong = load_text(text, "scene.yaml")

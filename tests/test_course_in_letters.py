@@ -115,6 +115,7 @@ def assumed(text: str) -> list[str]:
     return found
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("text", "condition"),
     [

@@ -98,6 +98,7 @@ def test_a_drawn_position_that_does_not_balance(asked: str) -> None:
     assert error.value.diagnostics[0].code == "PL630"
 
 
+@pytest.mark.slow
 def test_a_motion_beside_an_equilibrium_in_two_coordinates() -> None:
     text = WRITTEN.replace(
         "WHEN", "states: {e: [equilibrium, y < 0], 1: [x = 0.5 m, y = -0.3 m, at rest], 2: [t = 0.5 s]}"

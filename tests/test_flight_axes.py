@@ -45,6 +45,7 @@ def test_a_flight_in_the_axes_of_the_slope(said: str) -> None:
     assert said in page_of_file("ball-on-a-rough-slope")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("said", [
     # The speed of the fall has one letter, and counts downward.
     "At 1: v = √(2 g h) = √(2 · 9.81 · 1.2) = 4.852 m/s",

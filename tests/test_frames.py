@@ -187,6 +187,7 @@ def test_a_sample_that_is_turned_askew(name: str) -> None:
     assert_framed(ROOT / "problems" / f"{name}.yaml", ASKEW)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("frame", "least"), [(MIRROR, 290), (QUARTER, 80), (ASKEW, 60)], ids=str)
 def test_what_is_not_written_in_a_frame_and_why(frame: Frame, least: int) -> None:
     found, reasons = expressed(frame)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
 from worked import page_of_file, page_of_text
 
 FALLING = """
@@ -43,6 +44,7 @@ def test_a_pair_on_a_table() -> None:
     assert "STATE" not in page
 
 
+@pytest.mark.slow
 def test_a_pair_in_the_air(tmp_path: Path) -> None:
     page = page_of_text(tmp_path, FALLING)
     lines = [
@@ -56,6 +58,7 @@ def test_a_pair_in_the_air(tmp_path: Path) -> None:
     assert "numerical integration" not in page
 
 
+@pytest.mark.slow
 def test_a_force_from_outside_leaves_no_free_pair(tmp_path: Path) -> None:
     page = page_of_text(tmp_path, DRAGGED)
     assert "STATE 3" in page
@@ -80,6 +83,7 @@ def test_the_mass_centre_of_equal_ones_is_midway(tmp_path: Path) -> None:
     assert "y_G,2 = y_P,2/2 + y_Q,2/2 = " in page
 
 
+@pytest.mark.slow
 def test_what_goes_on_when_the_cord_has_let_go_leaves_no_free_pair(tmp_path: Path) -> None:
     text = FALLING.replace("find: {", "  5: [t = 1.2 s]\nfind: {y: y(Q) @ 5, ")
     page = page_of_text(tmp_path, text)

@@ -67,6 +67,7 @@ ARM, PLANET, SUN = 0.03, 0.9 * (0.14**2 + 0.5 * 0.14**2), 0.5 * 2 * 0.08**2 * (0
 ALPHA = 6 / (ARM + 2 * PLANET + SUN)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("angle", ["210", "-90"])
 @pytest.mark.parametrize("after", ["theta(arm) = 4 rev", "theta(arm) @ 2 - theta(arm) @ 1 = 4 rev"])
 def test_a_planetary_gear_turns_several_times(tmp_path: Path, angle: str, after: str) -> None:

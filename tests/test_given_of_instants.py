@@ -97,6 +97,7 @@ def test_what_the_page_rests_on_is_given(text: str, datum: str) -> None:
     assert datum in page.partition("Find")[0]
 
 
+@pytest.mark.slow
 def test_lengths_that_only_place_what_is_drawn_are_said_to() -> None:
     given = _page("textbook/ex-4-18").split("Given ")[1].split(" Find ")[0]
     assert "M = 10 N·m; frame: mass centre G" in given

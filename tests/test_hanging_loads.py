@@ -86,6 +86,7 @@ def test_a_block_on_a_table_and_a_load() -> None:
     assert found["T"] == pytest.approx(6 * 4 * 1.2 * 9.81 / 10)
 
 
+@pytest.mark.slow
 def test_a_disk_in_a_loop_of_the_rope() -> None:
     found = _told(MOVING_DISK)
     assert found["T"] == pytest.approx(3 * 4 * 6 * 9.81 / 22)

@@ -242,6 +242,7 @@ def test_a_throw_in_worlds_of_any_size(metre: int, second: int, kilogram: int) -
         assert abs(value / want[name] - 1) <= Decimal("1e-11"), name
 
 
+@pytest.mark.slow
 def test_a_stiff_spring() -> None:
     """k = 1e10 N/m: 16000 swings in a second; the static deflection would be -9.81e-10 m."""
     found = solve("""

@@ -41,7 +41,10 @@ def test_students_see_nothing_of_the_key(capfd: pytest.CaptureFixture[str]) -> N
     assert "key:" not in capfd.readouterr().out
 
 
-@pytest.mark.parametrize("form", ["markdown", "html", "json", "csv"])
+@pytest.mark.parametrize(
+    "form",
+    [pytest.param("markdown", marks=pytest.mark.slow), "html", pytest.param("json", marks=pytest.mark.slow), "csv"],
+)
 def test_sheets_and_key(form: str, tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
     folders = [tmp_path / "a", tmp_path / "b"]
     for folder in folders:
@@ -114,6 +117,7 @@ def test_what_stands_in_the_text_is_not_given_again() -> None:
     assert file.given == ()
 
 
+@pytest.mark.slow
 def test_sheets_of_an_earlier_run_do_not_stay(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
     path, out = tmp_path / "set.yaml", tmp_path / "out"
     path.write_text(f"problems: [{HOMEWORK / 'slope.yaml'}]\n")
@@ -235,6 +239,7 @@ def test_forms_of_a_check(form: str, capfd: pytest.CaptureFixture[str]) -> None:
     assert ("rod.yaml" in told) == (form != "github")
 
 
+@pytest.mark.slow
 def test_a_key_with_worked_solutions_is_not_lost(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
     path, out = tmp_path / "set.yaml", tmp_path / "out"
     path.write_text(f"problems: [{HOMEWORK / 'slot.yaml'}]\n")
@@ -252,6 +257,7 @@ def test_a_key_with_worked_solutions_is_not_lost(tmp_path: Path, capfd: pytest.C
     assert "<strong>Check</strong>" in (out / "key.html").read_text()
 
 
+@pytest.mark.slow
 def test_names_that_make_one_file_name_have_two_files_over_several_runs(tmp_path: Path) -> None:
     path, folder = tmp_path / "set.yaml", tmp_path / "feedback"
     path.write_text(f"problems: [{HOMEWORK / 'slot.yaml'}]\n")

@@ -128,6 +128,7 @@ def test_the_page_says_what_it_is() -> None:
     assert "ΣM" not in page
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("text", [DOUBLE, SLIDER, PULLEY])
 def test_it_gives_the_accelerations_of_newton(text: str) -> None:
     for found, want in zip(part_of(text, "lagrange").found, part_of(text, "newton").found, strict=True):

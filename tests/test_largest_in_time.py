@@ -40,6 +40,7 @@ LIMIT = 9.81 / (10 * pi) ** 2
 """The block falls freely there: A (2 pi f)^2 = g."""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("motion", [SINE, "-A*cos(2*pi*f*t)"])
 @pytest.mark.parametrize(
     "highest",

@@ -25,6 +25,7 @@ find: {{a: {find}}}
 """
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("now", [
     "at rest", "v(truck).x = 10 m/s", "v(truck).x > 0", "v(truck).x > 0, v(crate/truck).x = 0", "v(truck).x < 0",
 ])  # fmt: skip

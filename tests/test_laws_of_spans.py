@@ -128,6 +128,7 @@ def test_a_body_that_a_law_holds_stays_where_it_came_to() -> None:
 SLOWLY = ["b: b, ", "b: b, Q: heat(K) @ 1->3, "]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("asked", ["", *(pytest.param(a, marks=pytest.mark.slow) for a in SLOWLY)])
 def test_what_slides_is_not_held_because_a_constant_is_sought(asked: str) -> None:
     found = solve(f"{TRUCK}find: {{{asked}x: x(truck) @ 3, c: x(crate) @ 3}}\n")

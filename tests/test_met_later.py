@@ -294,6 +294,7 @@ find: {x_2: x(ball) @ 2, v_3: v(ball).mag @ 3, v_4: v(ball).mag @ 4}
 """The line of the slope, prolonged, passes above the start."""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("angle", ["-20 deg", "160 deg"])
 def test_from_which_side_it_comes_counts_not_where_it_is_drawn(angle: str) -> None:
     slope, v_x, v_y, mu = math.radians(20), 7.0, 14 * math.sin(math.radians(60)), 0.2

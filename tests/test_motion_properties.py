@@ -386,6 +386,7 @@ INVERSE = [
 ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("row", INVERSE, ids=["stiffness", "start", "weight", "speed"])
 @settings(max_examples=2, deadline=None, derandomize=True, phases=[Phase.generate])
 @given(**SIZES)

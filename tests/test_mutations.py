@@ -144,6 +144,7 @@ LEFT_OPEN = {
 """Mutants that leave something open, of which many values were tried."""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("where", FAULTS | LEFT_OPEN)
 def test_mutants_that_have_no_answer(where: str) -> None:
     name, _, place = where.partition(":")

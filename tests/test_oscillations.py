@@ -155,6 +155,7 @@ def test_a_linear_term_that_vanishes(tmp_path: Path) -> None:
     assert solved(tmp_path, "\n".join(s[4:] for s in text.splitlines()))["holds"].word == "true"
 
 
+@pytest.mark.slow
 def test_two_freedoms_have_two_periods(tmp_path: Path) -> None:
     assert solved(tmp_path, DOUBLE.replace("FIND", "holds: stable(rest)"))["holds"].word == "true"
     told = solved(tmp_path, DOUBLE.replace("FIND", "T: period(rest)"))["T"].values
@@ -182,6 +183,7 @@ find: {holds: stable(rest)}
 """
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("upper", "lower", "frequencies"),
     [

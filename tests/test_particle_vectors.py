@@ -92,6 +92,7 @@ def test_curves_that_are_asked_for_are_drawn_whole(stem: str, names: tuple[str, 
     assert min(math.dist(tip, spot) for spot in way) < 0.03
 
 
+@pytest.mark.slow
 def test_a_hodograph_has_the_velocity_of_each_state() -> None:
     panel = figures("hodograph-of-a-throw")["curves of ball"].panels[1]
     found = vectors(panel)

@@ -77,6 +77,7 @@ def test_places(points: str, tmp_path: Path) -> None:
     assert repair in hint
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("assumed", "said"),
     [

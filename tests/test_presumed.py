@@ -70,6 +70,7 @@ def test_letters_of_unlike_size() -> None:
     assert re.findall("[ab] [<>] (?:50 )?[ab]", text) == ["b > 50 a"]
 
 
+@pytest.mark.slow
 def test_no_letters_at_all() -> None:
     with pytest.raises(PlanarError, match="no numbers were found for which `a < b` holds beside `b < a`"):
         told(ROPE % ("a: m, b: m", "assume: [b < a, a < b]"))

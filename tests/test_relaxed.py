@@ -26,6 +26,7 @@ find: {F: force(s).mag @ 1, alpha: alpha(rod) @ 1, phi: theta(rod) @ 2}
 RELAXED = math.hypot(math.cos(math.pi / 6) - 1, 0.5 - 1)
 
 
+@pytest.mark.slow
 def test_a_bar_on_a_pin() -> None:
     """k (1 m - l_0) L - 2 m g L = (8/3) m L² α; and the energy is the same where the bar is at rest again."""
     found = solve(BAR)

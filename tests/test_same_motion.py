@@ -92,6 +92,7 @@ def differences(found: SolvedMotion, run: Run, state: str) -> Iterator[tuple[str
             yield f"rate of {body} in {state}", abs(rate) / size
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", FILES)
 def test_the_course_and_the_trajectory_are_the_same_motion(name: str) -> None:
     found, numbers, run = both(name)

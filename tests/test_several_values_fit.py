@@ -34,6 +34,7 @@ def test_both_angles_of_a_throw_are_told() -> None:
     assert [d.code for d in refused.value.diagnostics] == ["PL635"]
 
 
+@pytest.mark.slow
 def test_numbers_drawn_for_letters_are_no_values() -> None:
     text = THROW.format(more="symbols: {d: m}\nassume: [2*d*g < v_0^2]").replace("given: {v_0: 15 m/s}\n", "")
     text = text.replace("symbols: {d: m}", "symbols: {d: m, v_0: m/s}").replace("20 m", "d")
@@ -100,12 +101,14 @@ find: {phi: phi}
 """
 
 
+@pytest.mark.slow
 def test_an_angle_by_whole_turns_more_is_the_same_drawing() -> None:
     """cos φ = 1 - v²/(2 g l); -φ is excluded, and so is what is drawn as it is: 4 turns - φ."""
     angle = acos(1 - 9 / (2 * 9.81 * 2))
     assert float(number(solve(LET_GO)["phi"])) == pytest.approx(angle)
 
 
+@pytest.mark.slow
 def test_a_line_has_two_directions() -> None:
     """The chute halves the angle between the vertical and the normal of the slope: 75° and -105° are one line."""
     assert float(number(solve(CHUTE)["phi"])) == pytest.approx(radians(75))

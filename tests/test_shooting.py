@@ -112,6 +112,7 @@ def test_all_roots_are_found() -> None:
     assert [degrees(r) for r in roots] == pytest.approx([degrees(flat), degrees(steep)], rel=1e-9)
 
 
+@pytest.mark.slow
 def test_where_no_value_leads_through_the_states_that_is_said() -> None:
     with pytest.raises(NoSolution) as error:
         _part(JUMP.format(low="-11 m"))
@@ -152,6 +153,7 @@ def test_an_orbit_through_two_points(assumed: str, way: int) -> None:
     assert degrees(float((found.values or ())[0])) == pytest.approx(90 - degrees(atan(u)), rel=1e-8)
 
 
+@pytest.mark.slow
 def test_several_angles_lead_there() -> None:
     """Two of them, each found from another relation of the state, and each in the author's unit."""
     with pytest.raises(NoSolution, match=r"beta = 38\.4734 deg; or beta = 89\.4016 deg"):
@@ -197,6 +199,7 @@ find: {s: s}
 """
 
 
+@pytest.mark.slow
 def test_a_constant_that_has_an_effect_only_in_part_of_its_range() -> None:
     """Drawn beyond the wall or behind the free end, the block stays at rest, whatever s is."""
     values = _part(PUSHED).found[0].values
@@ -236,6 +239,7 @@ find: {u: u}
 """
 
 
+@pytest.mark.slow
 def test_what_is_largest_over_a_constant() -> None:
     """With drag no formula tells the best angle; 39.0796816° and 42.2017530 m were found by separate integration."""
     beta, d = (float((f.values or (math.nan,))[0]) for f in _part(DRAG).found)
@@ -315,6 +319,7 @@ find: {e: e, v: v(block).x @ 3}
 """
 
 
+@pytest.mark.slow
 def test_a_trial_with_which_impacts_have_no_end_is_passed_over() -> None:
     """With a coefficient of restitution below zero what strikes still approaches, again and again."""
     arrives, leaves = sqrt(2 * G * 1.2 * 0.5), sqrt(2 * G * 1.2 * (1 - math.cos(math.radians(15))))
@@ -323,6 +328,7 @@ def test_a_trial_with_which_impacts_have_no_end_is_passed_over() -> None:
     assert e == pytest.approx((block + leaves) / arrives, rel=1e-6)
 
 
+@pytest.mark.slow
 def test_a_constant_alone_is_confirmed_by_all_states() -> None:
     """A find that is only the sought constant names no state: a motion that never passes the last ones gave 0.2611."""
     part = _part("""

@@ -70,6 +70,7 @@ def _page(tmp_path: Path, text: str) -> str:
     return Terminal(200).render(narrate(solve_problem(load(str(path))[0])))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("form", FORMS)
 def test_answers_in_letters_are_those_in_numbers(form: str, tmp_path: Path) -> None:
     """At numbers with which the page's assumptions hold, every formula is the answer to the file with these numbers."""

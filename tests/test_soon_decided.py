@@ -81,6 +81,7 @@ def test_how_near_a_motion_comes_that_swings() -> None:
     assert "`x(B) = 0.5 m` is nearest at t = " in found.hint
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("text", [YOYO, ON_A_WEDGE])
 def test_a_motion_that_goes_on_without_end_never_gets_there(text: str) -> None:
     assert why(text).code == "PL621"
@@ -121,6 +122,7 @@ find: {x_2: x @ 2}
 """
 
 
+@pytest.mark.slow
 def test_what_nothing_holds_is_open() -> None:
     found = why(FREE_POST)
     assert (found.code, found.hint) == ("PL623", "say in state 1 how it moves: `at rest`, or velocities")

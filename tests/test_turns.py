@@ -81,6 +81,7 @@ find: {{T: t @ round}}
 """
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("angle", [300, 360, 720])
 @pytest.mark.parametrize("between", [
     ["apogee: [r(probe).mag is largest]"],

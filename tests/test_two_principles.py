@@ -198,6 +198,8 @@ QUESTIONS = [
     Question("yoyo after a way", WINDING, YOYO + YOYO_FAR, FAR),
     Question("yoyo after a time", WINDING, YOYO + YOYO_LATER, LATER),
 ]
+LONG = {"atwood after a way", "atwood after a time", "yoyo after a way", "block on a spring", "ladder"}
+SHARED_OUT = [pytest.param(q, marks=pytest.mark.slow) if q.name in LONG else q for q in QUESTIONS]
 
 # --- one method's own way --------------------------------------------------------------------------------------------
 
@@ -265,7 +267,7 @@ def followed(part: PartSolution) -> dict[str, Decimal]:
 # --- the properties --------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("question", QUESTIONS, ids=lambda q: q.name)
+@pytest.mark.parametrize("question", SHARED_OUT, ids=[q.name for q in QUESTIONS])
 @FEW
 @given(seed=SEEDS)
 def test_methods_agree(question: Question, seed: int) -> None:

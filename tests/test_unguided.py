@@ -47,6 +47,7 @@ def test_an_axis_of_turning_is_a_chain_line_on_no_floor() -> None:
     assert line(Name("x_C")) in [m.words for m in marks if isinstance(m, Dimension)]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "ball", "way"),
     [

@@ -29,6 +29,8 @@ FILES = sorted(
     for p in (ROOT / "problems").rglob("*.yaml")
     if p.parent.name != "hard" and IN_FEET.search(p.read_text(encoding="utf-8").partition("given:")[2])
 )
+OFTEN = 3
+SHARED_OUT = [p if i % OFTEN == 0 else pytest.param(p, marks=pytest.mark.slow) for i, p in enumerate(FILES)]
 IN_WORDS = re.compile(r"\d (?:N|J|kg|N·m|m/s|m/s²)(?![\w·/])")
 
 
@@ -44,7 +46,7 @@ def _parts(block: Any) -> Iterator[Any]:
             yield from _parts(getattr(block, field.name))
 
 
-@pytest.mark.parametrize("path", FILES, ids=name_of)
+@pytest.mark.parametrize("path", SHARED_OUT, ids=map(name_of, FILES))
 def test_no_other_system_of_units(path: Path) -> None:
     solution = worked(path)[0]
     assert solution.problem.us
@@ -115,7 +117,7 @@ def _wrong(solution: Solution) -> list[str]:
     return found
 
 
-@pytest.mark.parametrize("path", FILES, ids=name_of)
+@pytest.mark.parametrize("path", SHARED_OUT, ids=map(name_of, FILES))
 def test_lines_are_true_in_feet(path: Path) -> None:
     assert not _wrong(worked(path)[0])
 

@@ -122,6 +122,7 @@ find: {v: v(G).mag @ 1, omega: omega(cyl) @ 1}
 """
 
 
+@pytest.mark.slow
 def test_a_variant_of_a_motion_has_the_modes_of_the_file(tmp_path: Path) -> None:
     """At 55° the cylinder slips, as tan 55° > 3 mu."""
     worked, made = ready(tmp_path, ROLLS, 3)
@@ -231,6 +232,7 @@ def test_a_root_stays_on_its_branch(text: str, number: int, tmp_path: Path) -> N
     assert_solved_anew_the_same(worked, made)
 
 
+@pytest.mark.slow
 def test_a_mistake_stays_on_the_branch_of_the_answer(tmp_path: Path) -> None:
     """d = 24 in put in as 24 ft compresses the spring more, not less than nothing."""
     _, made = ready(tmp_path, SPRING, 1)

@@ -39,6 +39,7 @@ def test_every_line_is_true(name: str) -> None:
         assert not [w for e in lines for w in shown.wrong(e, 1e-3)]
 
 
+@pytest.mark.slow
 def test_a_frequency_given_by_a_formula_is_one_frequency() -> None:
     """w = 2 pi v/L stands in the place that shakes, and in its velocity, by its name."""
     text = page("oscillations/trailer-on-a-wavy-road")
