@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, NoReturn
 
 from planar_cli.errors import Diagnostic, Fault, NoSolution, PlanarError, TimeIsUp, Undecided
 from planar_cli.options import Command, WrongUsage
-from planar_cli.problem.show import harmless
+from planar_cli.problem.nodes.show import harmless
 from planar_cli.registry import modules
 from planar_cli.streams import echo
 

@@ -7,8 +7,8 @@ import sys
 from collections.abc import Iterable, Mapping
 
 from planar_cli.errors import Diagnostic
-from planar_cli.problem.nodes import text_of
-from planar_cli.problem.show import show_diagnostic, visible
+from planar_cli.problem.nodes.nodes import text_of
+from planar_cli.problem.nodes.show import show_diagnostic, visible
 from planar_cli.streams import echo
 
 

@@ -13,7 +13,7 @@ from planar_cli.errors import PlanarError
 from planar_cli.near import nearest
 
 if TYPE_CHECKING:
-    from planar_cli.problem.keys import KeySpec
+    from planar_cli.problem.scene.keys import KeySpec
 
 PAGES = Path(__file__).parent / "problem" / "pages"
 SHELVES = ("joints", "loads", "principles", "integrators", "homework.mistakes", "homework.exports")
@@ -83,13 +83,13 @@ def explanation(topic: str) -> str:
 
 def codes() -> dict[str, str]:
     """Every diagnostic code with its explanation."""
-    from planar_cli.problem.codes import CODES
-    from planar_cli.problem.codes_engine import CODES_ENGINE
-    from planar_cli.problem.codes_homework import CODES_HOMEWORK
-    from planar_cli.problem.codes_motion import CODES_MOTION
-    from planar_cli.problem.codes_scene import CODES_SCENE
-    from planar_cli.problem.codes_solve import CODES_SOLVE
-    from planar_cli.problem.codes_structure import CODES_STRUCTURE
+    from planar_cli.problem.codes.codes import CODES
+    from planar_cli.problem.codes.codes_engine import CODES_ENGINE
+    from planar_cli.problem.codes.codes_homework import CODES_HOMEWORK
+    from planar_cli.problem.codes.codes_motion import CODES_MOTION
+    from planar_cli.problem.codes.codes_scene import CODES_SCENE
+    from planar_cli.problem.codes.codes_solve import CODES_SOLVE
+    from planar_cli.problem.codes.codes_structure import CODES_STRUCTURE
 
     return {**CODES, **CODES_STRUCTURE, **CODES_SCENE, **CODES_SOLVE, **CODES_MOTION, **CODES_ENGINE, **CODES_HOMEWORK}
 
@@ -110,6 +110,6 @@ def kind_page(shelf: str, kind: str) -> str:
 
 def _keys(member: type) -> tuple[KeySpec, ...]:
     """The YAML keys of a member; a principle has none."""
-    from planar_cli.problem.keys import keys_of
+    from planar_cli.problem.scene.keys import keys_of
 
     return keys_of(member) if is_dataclass(member) else ()

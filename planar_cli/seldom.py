@@ -12,35 +12,113 @@ IN_FOLDERS = {
         antiderivative curve_algebra curve_numeric curve_plain curve_polar curves deciding forcing limits
         linear_in_speed pieces polish
     """,
-    "equation": """
-        cancelled_angles curves determined driven_rest driving led line_names machine meeting nearness of_all
-        on_two_points polar product_to_sum quadrature tipping trigonometry turning waves ways_told
+    "equation.algebra": """
+        machine product_to_sum quadrature trigonometry
     """,
-    "homework": """
+    "equation.kinematics": """
+        polar ways_told
+    """,
+    "equation.scene": """
+        curves line_names meeting nearness of_all turning
+    """,
+    "equation.system": """
+        driven_rest driving led on_two_points tipping
+    """,
+    "equation.values": """
+        cancelled_angles determined waves
+    """,
+    "homework.checking": """
         curves
     """,
-    "motion": """
-        afterwards corners hanging replacing resting settling unstable
+    "motion.follow": """
+        afterwards corners unstable
     """,
-    "problem": """
-        blows fixed_ends gaps headings led_by_ground logarithms no_number part_names relaxed rod_ends said_here
-        show slopes tips whose_load yaml_errors
+    "motion.start": """
+        hanging resting
     """,
-    "report": """
-        about_fixed_point across_the_way along_path angles_alike another_equation another_point antiderivatives
-        asked_energy asked_in_general at_one_state axes_asked between_led blow_check blow_limits by_ends
-        by_formula_above by_geometry centre_check centre_reasons centre_speeds centres_put_in changes closed_letters
-        coincident common_centre cosine_check curvature damper_rates data_of_states discussion driving_speed durations
-        effects energy_check energy_of_groups evaluated_integrals exam extreme_rates first_second fixed_lines
-        free_motions gathered given_momenta grooves harmonic_check hidden_data inertia_check inside_integrals
-        integrated law_check laws_solved letter_check meanings meeting_check modes modes_of_blows motion_phrases
-        nil_impulses on_circle on_ellipse only_reaction opened_sums origins oscillation_check parts passages passing
-        points_by_bodies polar_check presses products projected put_in put_into raw_moments reciprocals rests_on
-        results_once rolled_contacts rolled_parts rolled_speeds rope_ends rope_rates round_check shared_friction
-        shown slip_senses slips_at_start small_deviations special_case speeds_of_momenta squared standing
-        state_words stated_bounds stated_text stretches swallowed system_sum ties time_check track_check
-        turn_check turned_diagrams turning_axes turning_back turning_rates turning_values velocity_check
-        vibrations what_happens what_it_needs with_units works written_places
+    "motion.terms": """
+        replacing
+    """,
+    "motion.trajectory": """
+        settling
+    """,
+    "problem.implied": """
+        rod_ends whose_load
+    """,
+    "problem.language": """
+        logarithms no_number slopes
+    """,
+    "problem.nodes": """
+        show yaml_errors
+    """,
+    "problem.scene": """
+        blows fixed_ends gaps headings led_by_ground part_names relaxed tips
+    """,
+    "problem.sections": """
+        said_here
+    """,
+    "report.answers": """
+        asked_in_general by_ends by_formula_above discussion special_case
+    """,
+    "report.checks": """
+        another_equation another_point blow_check centre_check cosine_check energy_check first_second
+        harmonic_check inertia_check law_check letter_check meeting_check oscillation_check polar_check
+        round_check system_sum time_check track_check turn_check velocity_check
+    """,
+    "report.document": """
+        stated_text
+    """,
+    "report.energy": """
+        centre_speeds common_centre energy_of_groups standing works
+    """,
+    "report.equations": """
+        put_into squared turning_back
+    """,
+    "report.friction": """
+        presses shared_friction slip_senses slips_at_start what_happens what_it_needs
+    """,
+    "report.given": """
+        data_of_states driving_speed stated_bounds written_places
+    """,
+    "report.in_numbers": """
+        closed_letters opened_sums put_in with_units
+    """,
+    "report.instant": """
+        across_the_way asked_energy axes_asked extreme_rates on_circle
+    """,
+    "report.kinematics": """
+        about_fixed_point along_path between_led centre_reasons coincident curvature fixed_lines grooves
+        projected rolled_contacts rolled_parts rolled_speeds rope_ends ties turning_axes
+    """,
+    "report.kinetics": """
+        angles_alike damper_rates gathered only_reaction parts raw_moments rope_rates
+    """,
+    "report.laws": """
+        antiderivatives evaluated_integrals inside_integrals laws_solved passages passing products results_once
+    """,
+    "report.momentum": """
+        blow_limits given_momenta modes_of_blows nil_impulses speeds_of_momenta
+    """,
+    "report.motion": """
+        at_one_state centres_put_in integrated meanings shown
+    """,
+    "report.notation": """
+        by_geometry durations hidden_data reciprocals
+    """,
+    "report.oscillation": """
+        free_motions modes small_deviations vibrations
+    """,
+    "report.page": """
+        effects exam rests_on turning_rates
+    """,
+    "report.recast": """
+        on_ellipse
+    """,
+    "report.repeats": """
+        turned_diagrams
+    """,
+    "report.words": """
+        changes motion_phrases origins points_by_bodies state_words stretches swallowed turning_values
     """,
     "simulate": """
         heat stops
@@ -48,9 +126,20 @@ IN_FOLDERS = {
     "solve": """
         held only_just states within_a_turn
     """,
-    "solve.between": """
-        alternatives branch_order departed determined_part energies impulses inside_integrals integrated
-        linear_parts near_rest one_sense root_beside span_integrals span_rates
+    "solve.between.branches": """
+        alternatives branch_order departed determined_part integrated one_sense span_integrals
+    """,
+    "solve.between.equations": """
+        energies impulses span_rates
+    """,
+    "solve.between.roots": """
+        root_beside
+    """,
+    "solve.between.route": """
+        inside_integrals
+    """,
+    "solve.between.told": """
+        linear_parts near_rest
     """,
     "solve.curves": """
         natural_letters one_freedom rolled unsigned

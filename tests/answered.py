@@ -8,9 +8,9 @@ from pathlib import Path
 
 import sympy as sp
 
-from planar_cli.equation.exact import Valuation
+from planar_cli.equation.values.exact import Valuation
 from planar_cli.errors import FileProblem
-from planar_cli.homework.checking import read
+from planar_cli.homework.checking.checking import read
 from planar_cli.problem.structure import load_text
 from planar_cli.solve.run import solve_problem
 from planar_cli.solve.solution import Found

@@ -6,9 +6,9 @@ from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from planar_cli.integrators.base import Step
-from planar_cli.motion.automaton import Automaton, Choice
-from planar_cli.motion.impact import Struck, StruckContact
-from planar_cli.problem.facts import Facts, Mode
+from planar_cli.motion.trajectory.automaton import Automaton, Choice
+from planar_cli.motion.trajectory.impact import Struck, StruckContact
+from planar_cli.problem.scene.facts import Facts, Mode
 
 GRAVITY = 9.81
 Function = Callable[[float, Sequence[float]], float]

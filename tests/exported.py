@@ -8,9 +8,9 @@ from typing import Any
 
 from planar_cli.formats._course_html import DELIMITERS, course_html
 from planar_cli.homework.exports.base import Exported
-from planar_cli.homework.paper import Expected, Graded, Mistaken, Paper, Result, Task
+from planar_cli.homework.sets.paper import Expected, Graded, Mistaken, Paper, Result, Task
 from planar_cli.registry import members
-from planar_cli.report.blocks import Bullet, Equation, Forces, Heading, Name, Paragraph, Title, Value, line
+from planar_cli.report.document.blocks import Bullet, Equation, Forces, Heading, Name, Paragraph, Title, Value, line
 
 SHELF = "homework.exports"
 SCRIPT = "<script>alert('x')</script>"

@@ -17,9 +17,9 @@ from sympy import Integer
 from planar_cli.figures.diagrams import diagram
 from planar_cli.formats._paper import SIZE, Box, Run, Spot, runs_of
 from planar_cli.formats._svg import svg
-from planar_cli.report.blocks import Document, Forces, Line, Math, Text, line
-from planar_cli.report.entries import entries
-from planar_cli.report.marks import Arrow, Figure, Turn
+from planar_cli.report.document.blocks import Document, Forces, Line, Math, Text, line
+from planar_cli.report.document.marks import Arrow, Figure, Turn
+from planar_cli.report.kinetics.entries import entries
 from planar_cli.solve.solved_problem import Solution
 
 SPACE = "{http://www.w3.org/2000/svg}"

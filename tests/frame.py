@@ -9,7 +9,7 @@ from fractions import Fraction
 from typing import Any
 
 from planar_cli.errors import NOWHERE
-from planar_cli.problem.expression import (
+from planar_cli.problem.language.expression import (
     Binary,
     Function,
     Grouped,
@@ -21,7 +21,7 @@ from planar_cli.problem.expression import (
     Scaled,
     Side,
 )
-from planar_cli.problem.walk import walk
+from planar_cli.problem.language.walk import walk
 
 
 class NotWritten(Exception):

@@ -14,7 +14,7 @@ from planar_cli.joints.guide import Guide
 from planar_cli.joints.rope import Rope
 from planar_cli.loads.impulse import Impulse
 from planar_cli.loads.torque import Torque
-from planar_cli.problem.expression import (
+from planar_cli.problem.language.expression import (
     Binary,
     Name,
     Negate,
@@ -23,8 +23,8 @@ from planar_cli.problem.expression import (
     Relation,
     Side,
 )
-from planar_cli.problem.keys import Table
-from planar_cli.problem.scene import (
+from planar_cli.problem.scene.keys import Table
+from planar_cli.problem.scene.scene import (
     At,
     Body,
     Case,

@@ -20,8 +20,8 @@ from planar_cli.joints.belt import Belt
 from planar_cli.joints.guide import Guide
 from planar_cli.loads.impulse import Impulse
 from planar_cli.loads.torque import Torque
-from planar_cli.problem import expression as tree
-from planar_cli.problem.scene import (
+from planar_cli.problem.language import expression as tree
+from planar_cli.problem.scene.scene import (
     Composite,
     Find,
     Line,

@@ -7,7 +7,7 @@ import sys
 import time
 from collections.abc import Callable
 
-from planar_cli.homework.paper import RIGHT, UNGRADABLE, WRONG, Graded, Result, Submission
+from planar_cli.homework.sets.paper import RIGHT, UNGRADABLE, WRONG, Graded, Result, Submission
 
 
 def grader() -> Callable[[Submission], Result]:

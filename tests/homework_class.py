@@ -12,10 +12,10 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from planar_cli.homework.key_text import shown
-from planar_cli.homework.paper import Expected, Paper
-from planar_cli.homework.rules import Rules
-from planar_cli.homework.tolerances import within
+from planar_cli.homework.sets.key_text import shown
+from planar_cli.homework.sets.paper import Expected, Paper
+from planar_cli.homework.sets.rules import Rules
+from planar_cli.homework.sets.tolerances import within
 from planar_cli.units import parse_unit
 
 HOSTILE = (
@@ -153,7 +153,7 @@ def written(folder: Path, papers: Mapping[int, Paper], number: int) -> list[tupl
 
 if __name__ == "__main__":
     from planar_cli.homework.homework import made_ready
-    from planar_cli.homework.set_file import read_set
+    from planar_cli.homework.sets.set_file import read_set
 
     ready = made_ready(read_set(sys.argv[1]), 2, 60, None, lambda total, what: lambda done: None)
     written(Path(sys.argv[2]), ready.papers, int(sys.argv[3]) if len(sys.argv) > 3 else 300)

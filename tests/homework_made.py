@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from planar_cli.homework.grading import grade
+from planar_cli.homework.grading.grading import grade
+from planar_cli.homework.grading.what_mistakes_give import with_mistakes
 from planar_cli.homework.homework import assembled, prepared
-from planar_cli.homework.paper import Expected, Graded, Submission
-from planar_cli.homework.ready import Homework
-from planar_cli.homework.rules import Rules
-from planar_cli.homework.set_file import HomeworkSet, read_set
-from planar_cli.homework.what_mistakes_give import with_mistakes
-from planar_cli.homework.worked_problem import WorkedProblem, base_expected, read_and_solve
+from planar_cli.homework.sets.paper import Expected, Graded, Submission
+from planar_cli.homework.sets.ready import Homework
+from planar_cli.homework.sets.rules import Rules
+from planar_cli.homework.sets.set_file import HomeworkSet, read_set
+from planar_cli.homework.variants.worked_problem import WorkedProblem, base_expected, read_and_solve
 
 SLOPE = """
 plane: vertical

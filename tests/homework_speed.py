@@ -16,13 +16,13 @@ from pathlib import Path
 
 from homework_class import written
 
-from planar_cli.homework.grading_made import grading_of
+from planar_cli.homework.grading.grading_made import grading_of
+from planar_cli.homework.grading.what_mistakes_give import with_mistakes
 from planar_cli.homework.homework import made_ready
-from planar_cli.homework.set_file import read_set
-from planar_cli.homework.submissions import contents, submission_files, submissions
-from planar_cli.homework.variants import columns, variants_of
-from planar_cli.homework.what_mistakes_give import with_mistakes
-from planar_cli.homework.worked_problem import base_expected, read_and_solve
+from planar_cli.homework.sets.set_file import read_set
+from planar_cli.homework.submissions.submissions import contents, submission_files, submissions
+from planar_cli.homework.variants.variants import columns, variants_of
+from planar_cli.homework.variants.worked_problem import base_expected, read_and_solve
 from planar_cli.later import CLUTTER
 
 SET = Path(__file__).parent / "homework" / "set.yaml"

@@ -9,13 +9,13 @@ from dataclasses import dataclass
 from mutants import Mutant, mutated
 
 from planar_cli.errors import Diagnostic, FileProblem, NoSolution, Undecided
-from planar_cli.homework.checking import solve_and_compare
-from planar_cli.problem import nodes
-from planar_cli.problem.scene import Problem
+from planar_cli.homework.checking.checking import solve_and_compare
+from planar_cli.problem.nodes import nodes
+from planar_cli.problem.scene.scene import Problem
 from planar_cli.problem.structure import problem_of
 from planar_cli.registry import members
-from planar_cli.report.json_document import answers_data
-from planar_cli.report.narrate import Voice, narrate
+from planar_cli.report.page.json_document import answers_data
+from planar_cli.report.page.narrate import Voice, narrate
 from planar_cli.solve.where_asked import has_place
 
 SOLVED, UNCHANGED, FAULT, UNDECIDED = "solved", "unchanged", "fault", "undecided"

@@ -6,10 +6,10 @@ import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
-from planar_cli.problem import nodes
-from planar_cli.problem.nodes import Mapping, Node, Scalar
-from planar_cli.problem.tokens import ParseError, Token, tokenize
-from planar_cli.problem.words import QUANTITIES
+from planar_cli.problem.language.tokens import ParseError, Token, tokenize
+from planar_cli.problem.language.words import QUANTITIES
+from planar_cli.problem.nodes import nodes
+from planar_cli.problem.nodes.nodes import Mapping, Node, Scalar
 from planar_cli.units import UnitError, parse_unit
 
 Path_ = tuple[int, ...]

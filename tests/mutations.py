@@ -54,8 +54,8 @@ from mutation_child import Child
 from mutation_record import Part
 
 import planar_cli
-from planar_cli.problem import nodes
-from planar_cli.problem.scene import Problem
+from planar_cli.problem.nodes import nodes
+from planar_cli.problem.scene.scene import Problem
 
 TOO_LONG = "not decided within "
 

@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from planar_cli.integrators.base import Counts, Setting, Step
-from planar_cli.motion.drive import drive
-from planar_cli.motion.model import Model
-from planar_cli.motion.regime import Regime
-from planar_cli.motion.scene import MovingScene
-from planar_cli.motion.start import start_of
+from planar_cli.motion.regime.model import Model
+from planar_cli.motion.regime.regime import Regime
+from planar_cli.motion.scene.scene import MovingScene
+from planar_cli.motion.start.start import start_of
+from planar_cli.motion.trajectory.drive import drive
 from planar_cli.problem.structure import load
 
 

@@ -11,8 +11,8 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.base_units import in_base
-from planar_cli.equation.exact import Valuation
-from planar_cli.report.blocks import Block, Equation, Math, Text, Value
+from planar_cli.equation.values.exact import Valuation
+from planar_cli.report.document.blocks import Block, Equation, Math, Text, Value
 from planar_cli.units import parse_unit
 
 NEAR, ROUNDING = 1.03, 1e-9

@@ -27,8 +27,8 @@ from pathlib import Path
 import pinned
 
 from planar_cli.errors import PlanarError
-from planar_cli.motion.regime import Regime
-from planar_cli.problem.scene import Problem
+from planar_cli.motion.regime.regime import Regime
+from planar_cli.problem.scene.scene import Problem
 from planar_cli.problem.structure import load
 from planar_cli.simulate.run import Run, Settings, follow, simulate
 

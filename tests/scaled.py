@@ -8,8 +8,8 @@ from fractions import Fraction
 from typing import Any
 
 from planar_cli.errors import NOWHERE
-from planar_cli.problem.expression import Binary, Number, Scaled
-from planar_cli.problem.scene import Problem, Symbol
+from planar_cli.problem.language.expression import Binary, Number, Scaled
+from planar_cli.problem.scene.scene import Problem, Symbol
 from planar_cli.units import Dimension, parse_unit
 
 GRAVITY = Number(Fraction(981, 100), "m/s^2", 1, NOWHERE)

@@ -18,8 +18,8 @@ import pytest
 from planar_cli.figures.accuracy_plot import accuracy_plot
 from planar_cli.formats._svg import papers_of, svg
 from planar_cli.integrators.base import Setting
-from planar_cli.motion.drive import drive
-from planar_cli.motion.estimate import shifts
+from planar_cli.motion.follow.estimate import shifts
+from planar_cli.motion.trajectory.drive import drive
 from planar_cli.problem.structure import load
 from planar_cli.simulate.accuracy import Ran, Row, Study, Wanted, study
 from planar_cli.simulate.accuracy_report import Told, as_csv, as_data, as_markdown, as_text

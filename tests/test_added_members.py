@@ -11,11 +11,11 @@ import pytest
 from answered import assert_close
 
 from planar_cli.errors import FileProblem
-from planar_cli.motion.model import Model
-from planar_cli.motion.scene import MovingScene
+from planar_cli.motion.regime.model import Model
+from planar_cli.motion.scene.scene import MovingScene
 from planar_cli.problem.structure import load_text
 from planar_cli.registry import extended, members
-from planar_cli.report.effects import effects
+from planar_cli.report.page.effects import effects
 from planar_cli.simulate.effects import ledger
 from planar_cli.simulate.run import Settings, Simulation, simulate
 from planar_cli.solve.compare import compare_methods
@@ -31,10 +31,10 @@ MAGNET = '''
     from typing import Any, ClassVar
 
     from planar_cli.loads.base import Load
-    from planar_cli.problem.expression import Side
-    from planar_cli.problem.facts import Effect, Wrench
-    from planar_cli.problem.keys import PointPairKey, SideKey, key
-    from planar_cli.problem.setting import MovingSetting, Setting
+    from planar_cli.problem.language.expression import Side
+    from planar_cli.problem.scene.facts import Effect, Wrench
+    from planar_cli.problem.scene.keys import PointPairKey, SideKey, key
+    from planar_cli.problem.scene.setting import MovingSetting, Setting
 
 
     @dataclass(frozen=True, slots=True, kw_only=True)
@@ -71,11 +71,11 @@ MESH = '''
     from typing import Any, ClassVar
 
     from planar_cli.joints.base import Joint
-    from planar_cli.problem.expression import Side
-    from planar_cli.problem.facts import Action, Facts, Mode, Push, Row
-    from planar_cli.problem.keys import PartnersKey, SideKey, key
-    from planar_cli.problem.residuals import Residual
-    from planar_cli.problem.setting import Setting
+    from planar_cli.problem.language.expression import Side
+    from planar_cli.problem.scene.facts import Action, Facts, Mode, Push, Row
+    from planar_cli.problem.scene.keys import PartnersKey, SideKey, key
+    from planar_cli.problem.scene.residuals import Residual
+    from planar_cli.problem.scene.setting import Setting
 
 
     @dataclass(frozen=True, slots=True, kw_only=True)

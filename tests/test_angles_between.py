@@ -8,10 +8,10 @@ import pytest
 import sympy as sp
 from worked import page_of_file
 
-from planar_cli.equation.exact import PI, Valuation
-from planar_cli.equation.waves import right_angle, wave_put_in
-from planar_cli.report.trigonometric_numbers import right_angles
-from planar_cli.solve.between.angles_between import by_the_angle_between
+from planar_cli.equation.values.exact import PI, Valuation
+from planar_cli.equation.values.waves import right_angle, wave_put_in
+from planar_cli.report.notation.trigonometric_numbers import right_angles
+from planar_cli.solve.between.route.angles_between import by_the_angle_between
 from planar_cli.solve.regimes.equations import Equation
 
 A, C = sp.symbols("theta_a theta_c", real=True)

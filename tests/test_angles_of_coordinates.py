@@ -8,8 +8,8 @@ from sympy import Expr, Symbol, asin, pi
 
 from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.structure import load_text
-from planar_cli.report.narrate import narrate
-from planar_cli.report.trigonometric_numbers import right_angles
+from planar_cli.report.notation.trigonometric_numbers import right_angles
+from planar_cli.report.page.narrate import narrate
 from planar_cli.solve.run import solve_problem
 
 THETA, LENGTH = Symbol("theta", positive=True), Symbol("s", positive=True)

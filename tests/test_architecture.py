@@ -40,6 +40,20 @@ MEMBERS_SEE = {
     "formats": {"report", "mathml", "plain_letters"},
     "exports": {"report", "homework"},
 }
+# The folders inside a stage, in their order; what stands in the folder of the stage itself comes last. Shelves inside
+# a stage are asked from everywhere in it.
+FOLDERS = {
+    ("problem",): "codes language nodes scene sections checks implied pages",
+    ("motion",): "terms scene trajectory regime start follow",
+    ("equation",): "algebra values scene kinematics system",
+    ("solve", "between"): "trace roots equations branches route told",
+    ("homework",): "sets tasks checking typed submissions variants grading",
+    ("report",): """
+        notation document words in_numbers given kinematics friction equations kinetics energy momentum recast
+        instant oscillation laws answers motion checks repeats page
+    """,
+}
+INNER_SHELVES = {"exports", "mistakes"}
 MOST_LINES, LONGEST_FUNCTION = 400, 60
 
 
@@ -149,6 +163,28 @@ def test_stages_import_to_the_left() -> None:
     assert not wrong([p for p in MODULES if stage_of(p) in STAGES], to_the_right)
 
 
+def test_folders_of_a_stage_import_to_the_left() -> None:
+    def rank(inside: tuple[str, ...], order: list[str]) -> int:
+        return order.index(inside[0]) if inside[:1] and inside[0] in order else len(order)
+
+    def to_the_right(path: Path) -> Iterable[object]:
+        for stage, folders in FOLDERS.items():
+            order, depth = folders.split(), len(stage)
+            named = [t for t in (parts_of(path), *shape(path).imports) if t[:depth] == stage]
+            ours, *others = [t[depth:] for t in named if parts_of(path)[:depth] == stage] or [()]
+            if not INNER_SHELVES.intersection(ours[:1]):
+                free = [t for t in others if not INNER_SHELVES.intersection(t[:1])]
+                yield from (".".join(t) for t in free if rank(t, order) > rank(ours, order))
+
+    assert not wrong(MODULES, to_the_right)
+
+
+def test_every_folder_of_a_stage_has_its_place() -> None:
+    for stage, order in FOLDERS.items():
+        inside = {p.parent.name for p in PACKAGE.joinpath(*stage).glob("*/__init__.py")}
+        assert inside - INNER_SHELVES == set(order.split())
+
+
 def reached(start: tuple[str, ...], graph: dict[tuple[str, ...], set[tuple[str, ...]]]) -> set[tuple[str, ...]]:
     """Everything that a module imports, directly or by a chain."""
     found: set[tuple[str, ...]] = set()
@@ -169,7 +205,7 @@ def test_no_file_imports_what_imports_it() -> None:
 
 def test_print_sees_only_the_trace_of_a_motion() -> None:
     hidden = {("solve", f) for f in ("regimes", "impulsive", "between", "following", "curves")}
-    trace = {("solve", "between", f) for f in ("trace", "span_trace", "oscillation_trace")}
+    trace = {("solve", "between", "trace", f) for f in ("trace", "span_trace", "oscillation_trace")}
     reports = [p for p in MODULES if stage_of(p) == "report"]
     assert not wrong(reports, lambda p: {t for t in shape(p).imports if t[:2] in hidden} - trace)
 
@@ -224,4 +260,7 @@ def test_drawn_numbers_and_values_are_kept_apart() -> None:
     def made(path: Path) -> Iterable[object]:
         return [n for n, count in shape(path).calls if n in ("Settled", "Sample") or (n == "Valuation" and count > 1)]
 
-    assert not wrong([p for p in MODULES if parts_of(p) not in (("equation", "exact"), ("equation", "ledger"))], made)
+    assert not wrong(
+        [p for p in MODULES if parts_of(p) not in (("equation", "values", "exact"), ("equation", "values", "ledger"))],
+        made,
+    )

@@ -1,4 +1,4 @@
-"""Arms of wheels are their radii, and what rolls is told along the contact (equation/arms.py)."""
+"""Arms of wheels are their radii, and what rolls is told along the contact (equation/scene/arms.py)."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import pytest
 from planar_cli.errors import PlanarError
 from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.structure import load_text
-from planar_cli.report.narrate import narrate
+from planar_cli.report.page.narrate import narrate
 from planar_cli.solve.run import solve_problem
 
 TRAIN = """\

@@ -8,8 +8,8 @@ import pytest
 import sympy as sp
 from worked import page_of_file
 
-from planar_cli.report.blocks import Equation, Math, Paragraph, line
-from planar_cli.report.told_before import defined_once
+from planar_cli.report.document.blocks import Equation, Math, Paragraph, line
+from planar_cli.report.repeats.told_before import defined_once
 
 
 @pytest.mark.parametrize(

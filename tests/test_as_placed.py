@@ -6,8 +6,8 @@ from decimal import Decimal
 
 from worked import page_of_file
 
-from planar_cli.report.along_slots import by_angle
-from planar_cli.report.blocks import line
+from planar_cli.report.document.blocks import line
+from planar_cli.report.kinematics.along_slots import by_angle
 
 
 def test_an_arm_by_the_distance_and_the_angle_of_the_file() -> None:

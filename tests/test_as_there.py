@@ -6,9 +6,9 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.report.alike import with_equals_together
-from planar_cli.report.as_there import as_there
-from planar_cli.report.blocks import Answer, Block, Equation, Forces, Line, Math, Paragraph, Text, Value, line
+from planar_cli.report.document.blocks import Answer, Block, Equation, Forces, Line, Math, Paragraph, Text, Value, line
+from planar_cli.report.energy.alike import with_equals_together
+from planar_cli.report.repeats.as_there import as_there
 
 BODIES = ("frame", "rear", "front")
 LONG = sp.Add(*sp.symbols("m:40"))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from worked import page_of_file
 
-from planar_cli.report.origins import kept
+from planar_cli.report.words.origins import kept
 
 
 def test_a_point_of_a_body_has_its_vector_equation_and_components() -> None:

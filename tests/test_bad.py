@@ -11,8 +11,8 @@ from pathlib import Path
 import pytest
 
 from planar_cli.errors import Diagnostic
-from planar_cli.problem.codes import CODES
-from planar_cli.problem.codes_structure import CODES_STRUCTURE
+from planar_cli.problem.codes.codes import CODES
+from planar_cli.problem.codes.codes_structure import CODES_STRUCTURE
 from planar_cli.problem.structure import load
 
 BAD = sorted((Path(__file__).parent / "bad").glob("*.yaml"))

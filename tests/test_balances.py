@@ -7,9 +7,9 @@ from typing import Any
 
 import pytest
 
-from planar_cli.motion import stages
-from planar_cli.motion.impact import Bond, Struck, StruckContact, strike, unbalanced
-from planar_cli.motion.trajectory import Trajectory
+from planar_cli.motion.follow import stages
+from planar_cli.motion.trajectory.impact import Bond, Struck, StruckContact, strike, unbalanced
+from planar_cli.motion.trajectory.trajectory import Trajectory
 from planar_cli.problem.structure import load_text
 from planar_cli.simulate.run import Settings, simulate
 from planar_cli.solve.instant.verify import Disagreement

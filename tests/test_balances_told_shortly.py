@@ -6,7 +6,7 @@ import pytest
 import sympy as sp
 from worked import page_of_file
 
-from planar_cli.report.reciprocals import with_reciprocals
+from planar_cli.report.notation.reciprocals import with_reciprocals
 
 
 @pytest.mark.parametrize(("stem", "line"), [

@@ -17,9 +17,9 @@ import pytest
 from graders import grader, no_grader
 
 from planar_cli.errors import PlanarError
-from planar_cli.homework.batches import Ran, grade_files, in_shard, shard_of
-from planar_cli.homework.grader import Grading
-from planar_cli.homework.results import Line, result_of, results
+from planar_cli.homework.submissions.batches import Ran, grade_files, in_shard, shard_of
+from planar_cli.homework.submissions.grader import Grading
+from planar_cli.homework.tasks.results import Line, result_of, results
 
 GRADING = Grading(grader, "key", timeout=1.0)
 ENDS = {
@@ -179,8 +179,8 @@ RUN = """
 import signal
 import sys
 from graders import grader
-from planar_cli.homework.batches import grade_files
-from planar_cli.homework.grader import Grading
+from planar_cli.homework.submissions.batches import grade_files
+from planar_cli.homework.submissions.grader import Grading
 if __name__ == "__main__":
     # Who is started in the background inherits that the signal is ignored.
     signal.signal(signal.SIGINT, signal.default_int_handler)

@@ -12,10 +12,10 @@ import pytest
 from graders import grader
 
 from planar_cli.errors import PlanarError, Undecided
-from planar_cli.homework.batches import Ran, batches_of, grade_files, graded_by
-from planar_cli.homework.cluster import cluster
-from planar_cli.homework.grader import Grading, Piece
-from planar_cli.homework.results import Line
+from planar_cli.homework.submissions.batches import Ran, batches_of, grade_files, graded_by
+from planar_cli.homework.submissions.grader import Grading, Piece
+from planar_cli.homework.tasks.cluster import cluster
+from planar_cli.homework.tasks.results import Line
 
 GRADING = Grading(grader, "key", timeout=1.0)
 ENDS = {"5 N": "ok", "hang": "timeout", "power": "timeout", "eat": "memory", "exit": "crashed", "6 N": "ok"}
@@ -67,7 +67,7 @@ def test_on_a_cluster_of_its_own(folder: Path, address: str) -> None:
 
 
 def test_without_a_scheduler(monkeypatch: pytest.MonkeyPatch, address: str) -> None:
-    monkeypatch.setattr("planar_cli.homework.cluster.LONGEST_WAIT", 0.2)
+    monkeypatch.setattr("planar_cli.homework.tasks.cluster.LONGEST_WAIT", 0.2)
     with pytest.raises(PlanarError, match="there is no scheduler at"), cluster("tcp://127.0.0.1:9"):
         pass
 

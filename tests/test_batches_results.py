@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 
 from planar_cli.errors import PlanarError
-from planar_cli.homework.paper import RIGHT, Graded, Result
-from planar_cli.homework.results import Line, ResultsFile, handed_in_twice, line_of, merge, result_of, results
+from planar_cli.homework.sets.paper import RIGHT, Graded, Result
+from planar_cli.homework.tasks.results import Line, ResultsFile, handed_in_twice, line_of, merge, result_of, results
 
 
 def made(student: str, file: str, part: int = 0, parts: int = 1, score: float = 1.0, content: str = "c") -> Line:

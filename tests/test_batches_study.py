@@ -15,8 +15,8 @@ import pytest
 from graders import grader
 from test_batches_here import workers
 
-from planar_cli.homework.batches import grade_files
-from planar_cli.homework.grader import Grading
+from planar_cli.homework.submissions.batches import grade_files
+from planar_cli.homework.submissions.grader import Grading
 
 NUMBER = 10_000
 ENDED = {"hang": "timeout", "power": "timeout", "eat": "memory", "exit": "crashed", "raise": "crashed"}
@@ -30,8 +30,8 @@ UNREAD = {
 RUN = """
 import resource, sys
 from graders import grader
-from planar_cli.homework.batches import grade_files
-from planar_cli.homework.grader import Grading
+from planar_cli.homework.submissions.batches import grade_files
+from planar_cli.homework.submissions.grader import Grading
 if __name__ == "__main__":
     sizes = []
     def take(line):

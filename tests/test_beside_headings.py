@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from planar_cli.formats.terminal import Terminal
-from planar_cli.report.beside_headings import beside_headings
-from planar_cli.report.blocks import Block, Document, Equation, Heading, Name, Paragraph, line
+from planar_cli.report.document.blocks import Block, Document, Equation, Heading, Name, Paragraph, line
+from planar_cli.report.page.beside_headings import beside_headings
 
 ONE, OTHER = (Equation((line(Name(name)), line("r"))) for name in ("a", "b"))
 STEP = Heading("STEP 2", "Solving")

@@ -18,7 +18,7 @@ from planar_cli import cli
 from planar_cli.errors import FileProblem
 from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.structure import load_text
-from planar_cli.report.narrate import Voice, narrate
+from planar_cli.report.page.narrate import Voice, narrate
 from planar_cli.solve.run import solve_problem
 from planar_cli.solve.solved_problem import PartSolution
 

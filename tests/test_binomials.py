@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 import sympy as sp
 
-from planar_cli.report.binomials import multiplied
-from planar_cli.report.notation import plain
+from planar_cli.report.notation.binomials import multiplied
+from planar_cli.report.notation.notation import plain
 
 A, B, E, M = sp.symbols("a b e m", positive=True)
 

@@ -12,7 +12,7 @@ from answered import Answers, assert_close, first, number, solve
 from planar_cli.errors import FileProblem, NoSolution
 from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.structure import load_text
-from planar_cli.report.narrate import narrate
+from planar_cli.report.page.narrate import narrate
 from planar_cli.solve.run import solve_problem
 from planar_cli.solve.solution import Found
 

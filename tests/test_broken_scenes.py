@@ -12,8 +12,8 @@ from figure_demands import demand_figure
 from planar_cli.commands.draw import _page
 from planar_cli.figures.broken import broken, scene
 from planar_cli.figures.illustrated import figures_of
-from planar_cli.report.blocks import line
-from planar_cli.report.marks import (
+from planar_cli.report.document.blocks import line
+from planar_cli.report.document.marks import (
     Arc,
     Dimension,
     Figure,

@@ -8,8 +8,8 @@ import pytest
 from test_figures_bodies import drawings
 
 from planar_cli.figures.uncrowded import MANY, uncrowded
-from planar_cli.report.blocks import Name, line
-from planar_cli.report.marks import Angle, Arc, Dimension, Hatched, Mark, Polyline, Tag, spots_of
+from planar_cli.report.document.blocks import Name, line
+from planar_cli.report.document.marks import Angle, Arc, Dimension, Hatched, Mark, Polyline, Tag, spots_of
 
 
 def marks_of(stem: str) -> tuple[Mark, ...]:

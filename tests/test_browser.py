@@ -16,9 +16,9 @@ from worked import name_of, worked
 from planar_cli import cli
 from planar_cli.figures.illustrated import illustrated
 from planar_cli.formats.html import Html
-from planar_cli.report.blocks import Document, Drawing, Equation, Paragraph, line
-from planar_cli.report.narrate import narrate
-from planar_cli.report.stated_text import with_task
+from planar_cli.report.document.blocks import Document, Drawing, Equation, Paragraph, line
+from planar_cli.report.document.stated_text import with_task
+from planar_cli.report.page.narrate import narrate
 
 BROWSER = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
 QUIET = (

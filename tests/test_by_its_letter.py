@@ -8,7 +8,7 @@ import pytest
 import sympy as sp
 from worked import page_of_file
 
-from planar_cli.report.nested import in_storeys
+from planar_cli.report.notation.nested import in_storeys
 
 M, R, i, m, alpha = sp.symbols("M R I m alpha")
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import sympy as sp
 
-from planar_cli.report.as_printed import as_text
-from planar_cli.report.blocks import Equation, Math, line
-from planar_cli.report.by_stretches import by_stretches
+from planar_cli.report.document.as_printed import as_text
+from planar_cli.report.document.blocks import Equation, Math, line
+from planar_cli.report.energy.by_stretches import by_stretches
 
 X, A, B, C, D = sp.symbols("x A B C D")
 STRETCH = Equation((Math(sp.Symbol("s__4")), Math(A - B * X, {A: "0.65", B: "0.45"})), None, note=line("in m"))

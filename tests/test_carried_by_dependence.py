@@ -7,10 +7,10 @@ from pathlib import Path
 import pytest
 from homework_made import SLOPE, homework_of, set_of
 
-from planar_cli.homework.dependence import behind_each, in_turn
-from planar_cli.homework.grading_made import grading_of
-from planar_cli.homework.paper import Submission
-from planar_cli.homework.worked_problem import read_and_solve
+from planar_cli.homework.grading.dependence import behind_each, in_turn
+from planar_cli.homework.grading.grading_made import grading_of
+from planar_cli.homework.sets.paper import Submission
+from planar_cli.homework.variants.worked_problem import read_and_solve
 
 ACCELERATION = "{a: a(block).mag}"
 NORMAL_LAST, NORMAL_FIRST = "{a: a(block).mag, N: N(A)}", "{N: N(A), a: a(block).mag}"

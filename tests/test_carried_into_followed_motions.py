@@ -8,11 +8,11 @@ from pathlib import Path
 import pytest
 from homework_made import homework_of, set_of
 
-from planar_cli.homework.carried_errors import Carrier, unpickled
-from planar_cli.homework.grading import grade
-from planar_cli.homework.paper import Graded, Submission
-from planar_cli.homework.ready import Homework
-from planar_cli.homework.rules import Rules
+from planar_cli.homework.grading.carried_errors import Carrier, unpickled
+from planar_cli.homework.grading.grading import grade
+from planar_cli.homework.sets.paper import Graded, Submission
+from planar_cli.homework.sets.ready import Homework
+from planar_cli.homework.sets.rules import Rules
 
 # A wind that rises and falls with the place: there is no closed form over time.
 SLED = """

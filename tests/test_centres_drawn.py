@@ -11,9 +11,9 @@ from conftest import PROBLEMS
 from worked import worked
 
 from planar_cli.figures.illustrated import figures_of, illustrated
-from planar_cli.report.blocks import Line, Name, Text
-from planar_cli.report.marks import Arrow, Figure, Polyline, Spot, Tag
-from planar_cli.report.narrate import narrate
+from planar_cli.report.document.blocks import Line, Name, Text
+from planar_cli.report.document.marks import Arrow, Figure, Polyline, Spot, Tag
+from planar_cli.report.page.narrate import narrate
 
 
 def figure_of(stem: str, body: str) -> Figure:

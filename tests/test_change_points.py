@@ -10,7 +10,7 @@ from conftest import ROOT
 from pinned import followed, four_bars, model_of, written
 
 from planar_cli.errors import FileProblem
-from planar_cli.motion.start import start_of
+from planar_cli.motion.start.start import start_of
 from planar_cli.problem.structure import load
 from planar_cli.simulate.run import Settings, simulate
 

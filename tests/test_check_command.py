@@ -14,9 +14,9 @@ import pytest
 from answered import HELD_ROD
 
 from planar_cli import cli
-from planar_cli.homework.answers import compare
-from planar_cli.homework.supervisor import Supervisor
-from planar_cli.homework.verdict import Verdict
+from planar_cli.homework.checking.answers import compare
+from planar_cli.homework.checking.verdict import Verdict
+from planar_cli.homework.tasks.supervisor import Supervisor
 from planar_cli.problem.structure import load_text
 from planar_cli.solve.run import solve_problem
 

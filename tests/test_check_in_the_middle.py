@@ -16,8 +16,8 @@ import pytest
 from answered import HELD_ROD
 
 from planar_cli import cli
-from planar_cli.homework import checked_files
-from planar_cli.homework.checking import Checked
+from planar_cli.homework.checking import checked_files
+from planar_cli.homework.checking.checking import Checked
 
 ROD = f"{HELD_ROD}find: {{alpha: alpha(rod)}}\nanswers: {{alpha: 4.905 rad/s^2 cw}}\n"
 

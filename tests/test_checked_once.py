@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 from worked import page_of_file
 
-from planar_cli.report.blocks import Answer, Check, Heading, line
-from planar_cli.report.checked_once import ALL, CHECKED, checked_once
+from planar_cli.report.checks.checked_once import ALL, CHECKED, checked_once
+from planar_cli.report.document.blocks import Answer, Check, Heading, line
 
 FIRST, SECOND = Heading("CASE", "up"), Heading("CASE", "down")
 OWN = Check(line("N = 5 N > 0"))

@@ -14,8 +14,8 @@ import pytest
 from planar_cli import by_click, cli, help_page
 from planar_cli.errors import NOWHERE, Diagnostic, FileProblem, NoSolution, PlanarError, Undecided
 from planar_cli.manual import pages, topics
-from planar_cli.problem.codes import CODES
-from planar_cli.problem.codes_structure import CODES_STRUCTURE
+from planar_cli.problem.codes.codes import CODES
+from planar_cli.problem.codes.codes_structure import CODES_STRUCTURE
 
 GOOD = "title: A point\npoints: {A: [1 m, 0]}\nfind: {x: x(A)}\n"
 BAD = "title: A point\npoint: {A: [1 m, 0]}\nfind: {x: 3 m}\n"

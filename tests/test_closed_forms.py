@@ -9,15 +9,15 @@ import sympy as sp
 from conftest import ROOT
 from worked import worked
 
-from planar_cli.equation.exact import Valuation
+from planar_cli.equation.values.exact import Valuation
 from planar_cli.formats.terminal import Terminal
-from planar_cli.homework.checking import solve_and_compare
+from planar_cli.homework.checking.checking import solve_and_compare
 from planar_cli.problem.structure import load_text
-from planar_cli.report.blocks import Equation, Math
-from planar_cli.report.narrate import narrate, phrases_of
-from planar_cli.report.notation import plain
-from planar_cli.report.plain_answers import with_plain_answers
-from planar_cli.solve.between.closed import closed_roots
+from planar_cli.report.answers.plain_answers import with_plain_answers
+from planar_cli.report.document.blocks import Equation, Math
+from planar_cli.report.notation.notation import plain
+from planar_cli.report.page.narrate import narrate, phrases_of
+from planar_cli.solve.between.roots.closed import closed_roots
 
 X = sp.Symbol("x", real=True)
 

@@ -10,9 +10,9 @@ from conftest import ROOT
 from worked import worked
 
 from planar_cli.formats.terminal import Terminal
-from planar_cli.report.narrate import narrate
-from planar_cli.solve.between.substitution import same_as
-from planar_cli.solve.between.trace import Result
+from planar_cli.report.page.narrate import narrate
+from planar_cli.solve.between.roots.substitution import same_as
+from planar_cli.solve.between.trace.trace import Result
 from planar_cli.solve.multibody.linear import determinant
 
 

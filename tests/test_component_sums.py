@@ -8,8 +8,8 @@ import pytest
 import sympy as sp
 from worked import page_of_file
 
-from planar_cli.report.component_sums import Turned, components_told
-from planar_cli.report.pythagoras import of_one
+from planar_cli.report.kinematics.component_sums import Turned, components_told
+from planar_cli.report.notation.pythagoras import of_one
 
 ZERO = Decimal(0)
 a, x = sp.symbols("a x")

@@ -6,8 +6,8 @@ import pytest
 import sympy as sp
 from worked import page_of_file
 
-from planar_cli.report.blocks import Equation, Math, Name, Text, line
-from planar_cli.report.components_beside import with_components_beside
+from planar_cli.report.document.blocks import Equation, Math, Name, Text, line
+from planar_cli.report.page.components_beside import with_components_beside
 
 
 def test_component_of_a_letter() -> None:

@@ -14,12 +14,12 @@ import sympy as sp
 from answered import solve
 
 from planar_cli.cli import run
-from planar_cli.equation.exact import Settled
+from planar_cli.equation.values.exact import Settled
 from planar_cli.errors import NoSolution
 from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.structure import load_text
-from planar_cli.report.json_document import solution_data
-from planar_cli.report.narrate import Voice, narrate
+from planar_cli.report.page.json_document import solution_data
+from planar_cli.report.page.narrate import Voice, narrate
 from planar_cli.solve import run as solving
 from planar_cli.solve.instant.verify import Disagreement
 from planar_cli.solve.run import solve_problem

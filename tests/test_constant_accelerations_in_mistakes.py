@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from homework_made import with_known_mistakes
 
-from planar_cli.homework.worked_problem import read_and_solve
+from planar_cli.homework.variants.worked_problem import read_and_solve
 
 PROBLEM = Path(__file__).parents[1] / "problems" / "motion" / "body-block-sent-up-a-slope.yaml"
 G, MU, V = 9.81, 0.25, 6.0

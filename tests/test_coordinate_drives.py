@@ -6,11 +6,11 @@ import pytest
 import sympy as sp
 from answered import solve
 
-from planar_cli.equation.system import System
+from planar_cli.equation.system.system import System
 from planar_cli.errors import Undecided
 from planar_cli.later import loaded
-from planar_cli.problem.facts import Action
-from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scene.facts import Action
+from planar_cli.problem.scene.geometry import Vec
 
 ROD = """
 title: Rod that is turned by its angle
@@ -70,6 +70,6 @@ def test_a_drive_at_another_place_is_found_out(text: str, monkeypatch: pytest.Mo
         return (Action("rod", system.scene.center("rod"), Vec(sp.S.One, sp.S.Zero), sp.S.Zero),)
 
     # The module itself, which is loaded late.
-    monkeypatch.setattr(loaded("planar_cli.equation.driving"), "_working_on", elsewhere)
+    monkeypatch.setattr(loaded("planar_cli.equation.system.driving"), "_working_on", elsewhere)
     with pytest.raises(Undecided):
         solve(text)

@@ -11,7 +11,7 @@ from worked import worked
 
 from planar_cli.errors import NoSolution
 from planar_cli.formats.terminal import Terminal
-from planar_cli.report.narrate import narrate
+from planar_cli.report.page.narrate import narrate
 
 ALONG_ITSELF = """
 title: A wheel turned by a slanting cable

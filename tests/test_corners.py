@@ -11,12 +11,12 @@ import pytest
 import sympy as sp
 from answered import first, solve
 
-from planar_cli.equation.exact import Valuation
+from planar_cli.equation.values.exact import Valuation
 from planar_cli.errors import NOWHERE, NoSolution
 from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.structure import load_text
-from planar_cli.report.narrate import narrate
-from planar_cli.solve.between.agreement import demand_fulfilled
+from planar_cli.report.page.narrate import narrate
+from planar_cli.solve.between.branches.agreement import demand_fulfilled
 from planar_cli.solve.instant.verify import Disagreement
 from planar_cli.solve.regimes.equations import Equation
 from planar_cli.solve.run import solve_problem

@@ -14,9 +14,9 @@ from planar_cli.figures.illustrated import figures_of
 from planar_cli.formats._labels import clashes
 from planar_cli.formats._paper import runs_of
 from planar_cli.formats._svg import papers_of
-from planar_cli.report.graphs import Graph
-from planar_cli.report.lines import Line
-from planar_cli.report.marks import Polyline, Symbol
+from planar_cli.report.document.graphs import Graph
+from planar_cli.report.document.lines import Line
+from planar_cli.report.document.marks import Polyline, Symbol
 
 
 def courses(stem: str) -> list[Graph]:

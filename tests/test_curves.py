@@ -11,7 +11,7 @@ import pytest
 import sympy as sp
 
 from planar_cli.calculus.curves import curve_numeric, curve_of
-from planar_cli.equation.exact import Valuation
+from planar_cli.equation.values.exact import Valuation
 
 t, theta, phi = sp.symbols("t theta phi", real=True)
 a, b, c, d, h, k, L, r, R, g, v0, omega, beta = sp.symbols("a b c d h k L r R g v0 omega beta", positive=True)

@@ -8,9 +8,9 @@ from decimal import Decimal
 import pytest
 from worked import page_of_file
 
-from planar_cli.report.blocks import Equation, Heading, Name, Note, Paragraph, Value, line
-from planar_cli.report.data import GIVEN
-from planar_cli.report.data_numbers import without_numbered_data, without_restated_data
+from planar_cli.report.document.blocks import Equation, Heading, Name, Note, Paragraph, Value, line
+from planar_cli.report.given.data import GIVEN
+from planar_cli.report.page.data_numbers import without_numbered_data, without_restated_data
 
 
 def _datum(name: str, number: int | None = None) -> Equation:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from worked import page_of_file
 
-from planar_cli.report.latex import words
+from planar_cli.report.notation.latex import words
 
 
 def test_whether_it_slips_is_decided_by_a_line() -> None:

@@ -11,9 +11,9 @@ from test_figures_bodies import drawings
 
 from planar_cli.figures.illustrated import figures_of, illustrated
 from planar_cli.problem.structure import load_text
-from planar_cli.report.blocks import Name, line
-from planar_cli.report.marks import Angle, Arrow, Coil, Figure, Polyline, Symbol, Tag
-from planar_cli.report.narrate import narrate
+from planar_cli.report.document.blocks import Name, line
+from planar_cli.report.document.marks import Angle, Arrow, Coil, Figure, Polyline, Symbol, Tag
+from planar_cli.report.page.narrate import narrate
 from planar_cli.solve.run import solve_problem
 
 LEVER = """

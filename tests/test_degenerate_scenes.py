@@ -8,9 +8,9 @@ import pytest
 import sympy as sp
 from answered import first, solve
 
-from planar_cli.equation.exact import Valuation
+from planar_cli.equation.values.exact import Valuation
 from planar_cli.errors import FileProblem, Undecided
-from planar_cli.problem.scene import Problem
+from planar_cli.problem.scene.scene import Problem
 from planar_cli.problem.structure import load_text
 from planar_cli.solve.instant.roots import real_roots
 from planar_cli.solve.solved_problem import PartSolution

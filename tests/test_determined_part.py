@@ -9,8 +9,8 @@ import pytest
 from answered import solve
 
 from planar_cli.errors import PlanarError
-from planar_cli.solve.between.chain import Branch
-from planar_cli.solve.between.motion_equations import MotionEquations
+from planar_cli.solve.between.equations.motion_equations import MotionEquations
+from planar_cli.solve.between.roots.chain import Branch
 from planar_cli.solve.following import mode_search
 
 SHOT = Path(__file__).parents[1] / "problems" / "impact" / "block-shot-along-a-carrier.yaml"

@@ -6,8 +6,8 @@ import pytest
 
 from planar_cli import units
 from planar_cli.errors import Diagnostic, Mark
-from planar_cli.problem.codes import CODES
-from planar_cli.problem.dimensions import (
+from planar_cli.problem.codes.codes import CODES
+from planar_cli.problem.language.dimensions import (
     ANGLE,
     Kind,
     check_found,
@@ -15,8 +15,8 @@ from planar_cli.problem.dimensions import (
     check_statement,
     dimension_of,
 )
-from planar_cli.problem.expression import Name, Quantity
-from planar_cli.problem.parser import parse_found, parse_side, parse_statement
+from planar_cli.problem.language.expression import Name, Quantity
+from planar_cli.problem.language.parser import parse_found, parse_side, parse_statement
 
 START = Mark("f", 1, 1)
 NAMES = {

@@ -10,9 +10,9 @@ from conftest import PROBLEMS
 from worked import page_of_file, worked
 
 from planar_cli.formats.terminal import Terminal
-from planar_cli.report.blocks import Document, Equation, Math, Value
-from planar_cli.report.directions import with_tangents
-from planar_cli.report.narrate import narrate
+from planar_cli.report.answers.directions import with_tangents
+from planar_cli.report.document.blocks import Document, Equation, Math, Value
+from planar_cli.report.page.narrate import narrate
 
 FILES = {p.stem: p for p in PROBLEMS}
 theta, beta, x, y = sp.symbols("theta beta x y", real=True)

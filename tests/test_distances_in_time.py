@@ -7,8 +7,8 @@ from answered import solve
 from conftest import ROOT
 
 from planar_cli.formats.terminal import Terminal
-from planar_cli.homework.checking import read
-from planar_cli.report.narrate import narrate
+from planar_cli.homework.checking.checking import read
+from planar_cli.report.page.narrate import narrate
 from planar_cli.solve.run import solve_problem
 
 FILE = ROOT / "problems/motion/bead-drawn-out-along-a-turning-tube.yaml"

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sympy as sp
 from worked import page_of_file
 
-from planar_cli.report.divided import divided_out
+from planar_cli.report.notation.divided import divided_out
 
 M, g, q, t, u = sp.symbols("M g q t u", positive=True)
 

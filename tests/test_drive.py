@@ -8,8 +8,8 @@ import motions
 import pytest
 
 from planar_cli.integrators.base import Setting, StepTooSmall
-from planar_cli.motion.crossings import Watch, root
-from planar_cli.motion.drive import drive
+from planar_cli.motion.terms.crossings import Watch, root
+from planar_cli.motion.trajectory.drive import drive
 
 G = motions.GRAVITY
 

@@ -8,9 +8,9 @@ import pytest
 import sympy as sp
 from worked import page_of_file
 
-from planar_cli.report.as_printed import as_text
-from planar_cli.report.blocks import Block, Equation, Math, Name, Value, line
-from planar_cli.report.few_lines import breaks, in_few_lines
+from planar_cli.report.document.as_printed import as_text
+from planar_cli.report.document.blocks import Block, Equation, Math, Name, Value, line
+from planar_cli.report.energy.few_lines import breaks, in_few_lines
 
 SLIDER_CRANK = "slider-crank-with-a-spring"
 TOLD = Equation((Math(sp.Symbol("x")), Math(sp.Symbol("y"))), 1, line(Name("T__1"), " + U = ", Name("T__2"), ":"))

@@ -8,7 +8,7 @@ import pytest
 import sympy as sp
 from worked import page_of_file, page_of_text
 
-from planar_cli.solve.between.cheapest import cheapest
+from planar_cli.solve.between.route.cheapest import cheapest
 from planar_cli.solve.regimes.equations import Equation
 
 BLOCKS_AND_DRUM = """

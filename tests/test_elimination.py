@@ -9,10 +9,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from planar_cli.motion.dense import least_squares, null_space
-from planar_cli.motion.elimination import chosen, factor
-from planar_cli.motion.source import Singular, compiled
-from planar_cli.motion.terms import Graph, Term
+from planar_cli.motion.terms.dense import least_squares, null_space
+from planar_cli.motion.terms.elimination import chosen, factor
+from planar_cli.motion.terms.source import Singular, compiled
+from planar_cli.motion.terms.terms import Graph, Term
 
 
 def symmetric(graph: Graph, masses: list[float], joints: list[list[float]]) -> tuple[list[dict[int, Term]], list[Term]]:

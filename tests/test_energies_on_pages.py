@@ -11,8 +11,8 @@ from worked import page_of_file
 
 from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.structure import load_text
-from planar_cli.report.by_geometry import by_geometry
-from planar_cli.report.narrate import narrate
+from planar_cli.report.notation.by_geometry import by_geometry
+from planar_cli.report.page.narrate import narrate
 from planar_cli.solve.run import solve_problem
 
 FILES = {p.stem: p for p in PROBLEMS}

@@ -16,12 +16,12 @@ from printed import equations, read_number
 from worked import name_of, page_of_file, worked
 
 from planar_cli.formats.terminal import Terminal
-from planar_cli.report.blocks import Equation, Math, Value
-from planar_cli.report.enough_figures import MOST, enough_figures, figures_each, figures_of
-from planar_cli.report.narrate import narrate
-from planar_cli.report.numbers import significant
-from planar_cli.report.rounding import rounded
-from planar_cli.report.sums import sum_of
+from planar_cli.report.document.blocks import Equation, Math, Value
+from planar_cli.report.in_numbers.sums import sum_of
+from planar_cli.report.notation.enough_figures import MOST, enough_figures, figures_each, figures_of
+from planar_cli.report.notation.numbers import significant
+from planar_cli.report.notation.rounding import rounded
+from planar_cli.report.page.narrate import narrate
 from planar_cli.units import parse_unit
 
 SAMPLE = (

@@ -9,7 +9,7 @@ import sympy as sp
 from conftest import PROBLEMS
 from worked import page_of_file, page_of_text
 
-from planar_cli.report.alike import told_of_each, weights_of_each
+from planar_cli.report.energy.alike import told_of_each, weights_of_each
 
 
 @pytest.mark.parametrize(("stem", "line"), [

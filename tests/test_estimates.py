@@ -9,8 +9,8 @@ import motions
 import pytest
 
 from planar_cli.integrators.base import EPSILON, Setting
-from planar_cli.motion.drive import Run, drive
-from planar_cli.motion.estimate import estimated, growth, shifts
+from planar_cli.motion.follow.estimate import estimated, growth, shifts
+from planar_cli.motion.trajectory.drive import Run, drive
 
 SHIFT = 2.0**-40
 

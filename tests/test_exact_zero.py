@@ -8,10 +8,10 @@ import pytest
 import sympy as sp
 from answered import assert_close, solve
 
-from planar_cli.equation.exact import PI, Valuation
-from planar_cli.equation.jets import Jet, magnitude
+from planar_cli.equation.values.exact import PI, Valuation
+from planar_cli.equation.values.jets import Jet, magnitude
 from planar_cli.errors import NoSolution
-from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scene.geometry import Vec
 
 PHI, PSI = sp.Symbol("phi", real=True), sp.Symbol("psi", real=True)
 

@@ -12,11 +12,11 @@ from conftest import PROBLEMS
 from worked import name_of, worked
 
 from planar_cli.formats.terminal import Terminal
-from planar_cli.report.blocks import Answer, Block, Equation, Forces, Math, Name, Paragraph, Table, Text, Value
-from planar_cli.report.exam import key_blocks
-from planar_cli.report.mentioned import pieces_of
-from planar_cli.report.narrate import Voice, narrate
-from planar_cli.report.rests_on import rests_on
+from planar_cli.report.document.blocks import Answer, Block, Equation, Forces, Math, Name, Paragraph, Table, Text, Value
+from planar_cli.report.document.mentioned import pieces_of
+from planar_cli.report.page.exam import key_blocks
+from planar_cli.report.page.narrate import Voice, narrate
+from planar_cli.report.page.rests_on import rests_on
 
 STEMS = ("double-pulley", "ex-2-09", "ex-4-10", "ladder-sliding", "puck-hits-a-free-rod", "ex-1-02")
 LONG = 25

@@ -9,7 +9,7 @@ import pytest
 from exported import PAPERS, number
 
 from planar_cli.homework.exports._asked import Asked, LeftOut, Number, finds, is_numeric, numbers, problems, question_of
-from planar_cli.homework.paper import Expected, Mistaken, Task
+from planar_cli.homework.sets.paper import Expected, Mistaken, Task
 
 
 def found(expected: Expected, left_out: LeftOut | None = None) -> tuple[Number, ...]:

@@ -18,7 +18,7 @@ from exported import HOSTILE, PAPERS, TITLE, drawn, exported, number
 
 from planar_cli.homework.exports._spellings import spellings
 from planar_cli.homework.exports._text import one_line
-from planar_cli.homework.paper import Paper, Task
+from planar_cli.homework.sets.paper import Paper, Task
 
 TAGS = {"p", "span", "ul", "li", "h3", "h4", "h5", "h6", "strong", "em", "table", "thead", "th", "tbody", "tr", "td"}
 FORMATS = {"html", "moodle_auto_format", "plain_text", "markdown"}
@@ -253,7 +253,7 @@ def test_no_box_of_a_question_begins_in_the_words_of_a_figure() -> None:
 
 
 def test_no_feedback_ends_its_box() -> None:
-    from planar_cli.homework.paper import Expected, Mistaken
+    from planar_cli.homework.sets.paper import Expected, Mistaken
 
     mistake = Mistaken("m", HOSTILE, (5.0, 5.0))
     expected = Expected("v", "v", "vector", (1.0, 2.0), "m/s", "", 0.01, 1.0, mistakes=(mistake,))

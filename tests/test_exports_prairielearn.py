@@ -16,7 +16,7 @@ import sympy as sp
 from exported import PAPERS, drawn, exported
 
 from planar_cli.homework.exports._symbolic import NoFormula, symbolic
-from planar_cli.homework.paper import Expected, Paper
+from planar_cli.homework.sets.paper import Expected, Paper
 
 # What each element takes, from its own list of attributes.
 ATTRIBUTES = {

@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 from exported import FORMULA, RESULTS, exported
 
-from planar_cli.homework.paper import Graded, Result
+from planar_cli.homework.sets.paper import Graded, Result
 
 HEADER = "student,variant,problem,find,submitted,unit,expected,tolerance,score,max_score,status,message"
 # What Gradescope's specification has.

@@ -14,7 +14,7 @@ from text2qti.config import Config
 from text2qti.quiz import GroupStart, Question, Quiz
 
 from planar_cli.homework.exports.text2qti import SMALLEST
-from planar_cli.homework.paper import Paper, Task
+from planar_cli.homework.sets.paper import Paper, Task
 
 
 def read(source: Any = None) -> Any:

@@ -12,8 +12,8 @@ from exported import HOSTILE
 from worked import name_of, worked
 
 from planar_cli.formats._course_html import course_html
-from planar_cli.report import blocks as doc
-from planar_cli.report.narrate import narrate
+from planar_cli.report.document import blocks as doc
+from planar_cli.report.page.narrate import narrate
 
 FILES = [p for p in PROBLEMS if p.stem == "ex-4-05"]
 X = doc.Name("x")

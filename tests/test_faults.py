@@ -11,7 +11,7 @@ import sympy as sp
 from answered import solve
 
 from planar_cli import cli
-from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.equation.values.exact import Unvalued, Valuation
 from planar_cli.errors import NotReached, NoValue, Undecided
 from planar_cli.solve import run
 

@@ -10,8 +10,8 @@ from planar_cli.cli import run
 from planar_cli.errors import Fault
 from planar_cli.homework import homework
 from planar_cli.homework.homework import made_ready
-from planar_cli.homework.set_file import HomeworkSet, read_set
-from planar_cli.homework.supervisor import Ended, Supervisor, demand_no_fault
+from planar_cli.homework.sets.set_file import HomeworkSet, read_set
+from planar_cli.homework.tasks.supervisor import Ended, Supervisor, demand_no_fault
 
 POINT = """
 given: {v: 2 m/s}
@@ -70,7 +70,7 @@ def test_what_fails_in_a_worker_comes_back_as_a_fault(path: Path, monkeypatch: p
 
 def here(self: Supervisor, items: list[object]) -> list[Ended]:
     """As a worker does it, in this process."""
-    from planar_cli.homework.worker import _outcome
+    from planar_cli.homework.tasks.worker import _outcome
 
     return [Ended(*_outcome(None, homework._attempt, item, 0), 0.0) for item in items]
 

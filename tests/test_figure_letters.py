@@ -15,12 +15,12 @@ from planar_cli.figures.drawn import brief, named_body
 from planar_cli.figures.illustrated import figures_of, illustrated
 from planar_cli.formats._alike import table_of
 from planar_cli.formats._paper import runs_of
-from planar_cli.problem.parser import parse_side
+from planar_cli.problem.language.parser import parse_side
 from planar_cli.problem.structure import load_text
-from planar_cli.report import marks as drawn_marks
-from planar_cli.report.blocks import Forces, Line, Math, Name, Text, Value, line
-from planar_cli.report.marks import Angle, Arrow, Coil, Dashpot, Dimension, Hatched, Polyline, Symbol
-from planar_cli.report.narrate import narrate
+from planar_cli.report.document import marks as drawn_marks
+from planar_cli.report.document.blocks import Forces, Line, Math, Name, Text, Value, line
+from planar_cli.report.document.marks import Angle, Arrow, Coil, Dashpot, Dimension, Hatched, Polyline, Symbol
+from planar_cli.report.page.narrate import narrate
 from planar_cli.solve.run import solve_problem
 
 

@@ -18,9 +18,9 @@ from planar_cli.figures.shapes import body_marks
 from planar_cli.formats._svg import PRINT, panels, papers_of, svg
 from planar_cli.formats.html import Html
 from planar_cli.problem.structure import load_text
-from planar_cli.report.blocks import Document, Drawing, Heading, Name, Paragraph, line
-from planar_cli.report.marks import Arc, Arrow, Figure, Panel, Polyline, Tag, Turn
-from planar_cli.report.narrate import narrate
+from planar_cli.report.document.blocks import Document, Drawing, Heading, Name, Paragraph, line
+from planar_cli.report.document.marks import Arc, Arrow, Figure, Panel, Polyline, Tag, Turn
+from planar_cli.report.page.narrate import narrate
 from planar_cli.solve.run import solve_problem
 from planar_cli.typeset import _Tree, pdf
 

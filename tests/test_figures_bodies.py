@@ -16,8 +16,8 @@ from planar_cli.figures.rings import inside, meets
 from planar_cli.formats._on_paper import Scale, on_paper
 from planar_cli.formats._paper import Stroke
 from planar_cli.formats._svg import papers_of
-from planar_cli.report.blocks import Name, line
-from planar_cli.report.marks import (
+from planar_cli.report.document.blocks import Name, line
+from planar_cli.report.document.marks import (
     Angle,
     Arc,
     Arrow,
@@ -34,7 +34,7 @@ from planar_cli.report.marks import (
     Tag,
     Turn,
 )
-from planar_cli.report.narrate import narrate
+from planar_cli.report.page.narrate import narrate
 
 
 def drawings(name: str) -> dict[str, Figure]:

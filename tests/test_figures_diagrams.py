@@ -14,8 +14,8 @@ from planar_cli.formats._drawn_small import small_drawing
 from planar_cli.formats._svg import panels, svg
 from planar_cli.formats._tikz import tikz
 from planar_cli.formats.html import Html
-from planar_cli.report.blocks import Document, Drawing, Forces, Inline, Math, Name, Text, line
-from planar_cli.report.marks import Angle, Arc, Arrow, Dimension, Figure, Polyline, Symbol, Tag, Turn
+from planar_cli.report.document.blocks import Document, Drawing, Forces, Inline, Math, Name, Text, line
+from planar_cli.report.document.marks import Angle, Arc, Arrow, Dimension, Figure, Polyline, Symbol, Tag, Turn
 
 DASHED = "dashed: direction assumed"
 NOTES = ("", DASHED, f"{DASHED}; found: F_D to the left")

@@ -17,8 +17,8 @@ from planar_cli.commands.draw import command
 from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.illustrated import figures_of, illustrated
 from planar_cli.figures.positions import JOINED
-from planar_cli.report.blocks import Name, Text, line
-from planar_cli.report.marks import (
+from planar_cli.report.document.blocks import Name, Text, line
+from planar_cli.report.document.marks import (
     Angle,
     Arc,
     Arrow,
@@ -32,8 +32,8 @@ from planar_cli.report.marks import (
     Symbol,
     Tag,
 )
-from planar_cli.report.narrate import narrate
-from planar_cli.solve.between.trace import MotionTrace
+from planar_cli.report.page.narrate import narrate
+from planar_cli.solve.between.trace.trace import MotionTrace
 from planar_cli.solve.solved_problem import PartSolution
 
 EVERY = 24

@@ -9,8 +9,8 @@ from test_figures_states import marks_of, named
 from worked import worked
 
 from planar_cli.figures.illustrated import figures_of, illustrated
-from planar_cli.report.marks import Dimension, Hatched, Symbol
-from planar_cli.report.narrate import narrate
+from planar_cli.report.document.marks import Dimension, Hatched, Symbol
+from planar_cli.report.page.narrate import narrate
 
 
 def test_a_throw_against_a_wall_lands_on_the_ground() -> None:

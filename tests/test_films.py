@@ -14,9 +14,9 @@ from test_graphs import path_of
 from planar_cli import cli
 from planar_cli.figures.frames import film
 from planar_cli.formats._animated import animated, page
-from planar_cli.homework.checking import read
-from planar_cli.report.film import Film
-from planar_cli.report.marks import Coil, Hatched, Polyline, Slot, Symbol
+from planar_cli.homework.checking.checking import read
+from planar_cli.report.document.film import Film
+from planar_cli.report.document.marks import Coil, Hatched, Polyline, Slot, Symbol
 from planar_cli.simulate.run import Settings, follow
 
 SPACE = "{http://www.w3.org/2000/svg}"

@@ -6,9 +6,9 @@ import pytest
 
 from planar_cli.errors import FileProblem
 from planar_cli.formats.terminal import Terminal
-from planar_cli.homework.checking import solve_and_compare
+from planar_cli.homework.checking.checking import solve_and_compare
 from planar_cli.problem.structure import load_text
-from planar_cli.report.narrate import narrate
+from planar_cli.report.page.narrate import narrate
 from planar_cli.solve.run import solve_problem
 
 STONE = """

@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 
 from planar_cli.calculus.first import Root, all_roots, roots
 from planar_cli.calculus.polish import polish
-from planar_cli.equation.exact import FUNCTIONS, PI
+from planar_cli.equation.values.exact import FUNCTIONS, PI
 
 sin, cos, exp = math.sin, math.cos, math.exp
 exact_sin, exact_cos = FUNCTIONS[sp.sin], FUNCTIONS[sp.cos]

@@ -10,7 +10,7 @@ import sympy as sp
 from conftest import ROOT
 from homework_made import with_known_mistakes
 
-from planar_cli.homework.worked_problem import WorkedProblem, read_and_solve
+from planar_cli.homework.variants.worked_problem import WorkedProblem, read_and_solve
 from planar_cli.replay.equations import Asked, Equations, Step
 from planar_cli.replay.numbers import Replay
 

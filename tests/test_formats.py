@@ -19,8 +19,8 @@ from planar_cli.formats.base import runs
 from planar_cli.formats.json import dumps
 from planar_cli.formats.markdown import Markdown, protected
 from planar_cli.formats.terminal import Terminal
-from planar_cli.report import blocks as doc
-from planar_cli.report.lettered import lettered
+from planar_cli.report.document import blocks as doc
+from planar_cli.report.document.lettered import lettered
 
 
 def value(number: str, unit: str = "") -> doc.Value:
@@ -477,7 +477,7 @@ def test_json_refuses_what_it_does_not_know(value_: object) -> None:
 
 def test_blocks_and_plain_text_load_neither_sympy_nor_rich() -> None:
     code = (
-        "import sys; from planar_cli.report.blocks import Document, Name, Paragraph, Value, line;"
+        "import sys; from planar_cli.report.document.blocks import Document, Name, Paragraph, Value, line;"
         "from planar_cli.formats.terminal import Terminal;"
         "from planar_cli.formats.markdown import Markdown; from decimal import Decimal;"
         "d = Document('t', (Paragraph(line('x', Value(Decimal(1), 'N'), Name('m'))),));"

@@ -11,10 +11,10 @@ import sympy as sp
 
 from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.structure import load_text
-from planar_cli.report import blocks as doc
-from planar_cli.report.durations import over_durations
-from planar_cli.report.narrate import narrate
-from planar_cli.report.notation import plain
+from planar_cli.report.document import blocks as doc
+from planar_cli.report.notation.durations import over_durations
+from planar_cli.report.notation.notation import plain
+from planar_cli.report.page.narrate import narrate
 from planar_cli.solve.instant.pivots import easiest
 from planar_cli.solve.run import solve_problem
 

@@ -8,11 +8,11 @@ from homework_made import BALL_ON_ROD, set_of
 from planar_cli.commands._handed_out import page
 from planar_cli.commands._told_formulas import told_formulas
 from planar_cli.homework.homework import prepared
-from planar_cli.homework.paper import Paper
-from planar_cli.homework.ready import Homework, Prepared
-from planar_cli.homework.rules import Rules
-from planar_cli.homework.sheets import Handed
-from planar_cli.report.handed_out import key, sheet
+from planar_cli.homework.sets.paper import Paper
+from planar_cli.homework.sets.ready import Homework, Prepared
+from planar_cli.homework.sets.rules import Rules
+from planar_cli.homework.sets.sheets import Handed
+from planar_cli.report.document.handed_out import key, sheet
 
 HIT = f"""
 plane: vertical

@@ -11,7 +11,7 @@ import sympy as sp
 
 from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.structure import load_text
-from planar_cli.report.narrate import narrate
+from planar_cli.report.page.narrate import narrate
 from planar_cli.solve import run as solving
 from planar_cli.solve.instant.verify import Disagreement
 from planar_cli.solve.run import solve_problem

@@ -7,8 +7,8 @@ from decimal import Decimal
 from sympy import Symbol
 from worked import page_of_file
 
-from planar_cli.report.blocks import Block, Equation, Forces, Heading, Math, Paragraph, Value, line
-from planar_cli.report.found_before import goes_on
+from planar_cli.report.document.blocks import Block, Equation, Forces, Heading, Math, Paragraph, Value, line
+from planar_cli.report.repeats.found_before import goes_on
 
 S, N, R = (Math(Symbol(name)) for name in "SNR")
 

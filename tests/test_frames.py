@@ -15,10 +15,10 @@ from frame import ASKEW, MIRROR, QUARTER, Frame, NotWritten
 from framed import Seen, as_seen, framed
 
 from planar_cli.calculus.curve_words import Curve
-from planar_cli.equation.sample import generator
-from planar_cli.homework.checking import read
-from planar_cli.problem.checks import check
-from planar_cli.problem.scene import Problem
+from planar_cli.equation.values.sample import generator
+from planar_cli.homework.checking.checking import read
+from planar_cli.problem.checks.checks import check
+from planar_cli.problem.scene.scene import Problem
 from planar_cli.solve.run import solve_problem
 from planar_cli.solve.solution import Found
 

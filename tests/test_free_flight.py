@@ -7,10 +7,10 @@ from pathlib import Path
 import sympy as sp
 from worked import page_of_file, page_of_text
 
-from planar_cli.report.blocks import Equation, Math, Paragraph, line
-from planar_cli.report.heads_of_states import with_states_headed_once
-from planar_cli.report.put_into import by_shorter, put_into
-from planar_cli.solve.between.trace import Result
+from planar_cli.report.document.blocks import Equation, Math, Paragraph, line
+from planar_cli.report.equations.put_into import by_shorter, put_into
+from planar_cli.report.page.heads_of_states import with_states_headed_once
+from planar_cli.solve.between.trace.trace import Result
 
 X, Y, T, U, V, G = sp.symbols("x y t u v g", real=True)
 

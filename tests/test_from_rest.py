@@ -8,7 +8,7 @@ import pytest
 from answered import assert_close, solve
 
 from planar_cli.errors import FileProblem
-from planar_cli.problem.scene import Problem
+from planar_cli.problem.scene.scene import Problem
 from planar_cli.problem.structure import load_text
 from planar_cli.simulate.dated_by_spans import with_spans_dated
 from planar_cli.simulate.run import Settings, simulate

@@ -7,12 +7,12 @@ from dataclasses import replace
 
 import pytest
 
-from planar_cli.homework.class_report import ClassReport
-from planar_cli.homework.grading import grade
-from planar_cli.homework.grading_made import MakeGrade
+from planar_cli.homework.grading.class_report import ClassReport
+from planar_cli.homework.grading.grading import grade
+from planar_cli.homework.grading.grading_made import MakeGrade
 from planar_cli.homework.mistakes.unit_not_converted import UnitNotConverted
-from planar_cli.homework.paper import Expected, Graded, Mistaken, Paper, Submission, Task
-from planar_cli.homework.rules import Rules
+from planar_cli.homework.sets.paper import Expected, Graded, Mistaken, Paper, Submission, Task
+from planar_cli.homework.sets.rules import Rules
 
 FORCE = Expected("F", "", "number", (12.74,), "N", "12.74 N", 0.01, 100.0, axis="x")
 LEFTWARD = replace(FORCE, values=(-12.74,))

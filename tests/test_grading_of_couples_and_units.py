@@ -7,7 +7,7 @@ from __future__ import annotations
 import pytest
 from homework_made import graded, homework_of, set_of
 
-from planar_cli.homework.ready import Homework
+from planar_cli.homework.sets.ready import Homework
 
 ARM = """
 title: Collar on a driven arm

@@ -20,11 +20,11 @@ from planar_cli.formats._labels import clashes
 from planar_cli.formats._small_plot import small_plot
 from planar_cli.formats._svg import PRINT, papers_of
 from planar_cli.formats.html import Html
-from planar_cli.homework.checking import read
+from planar_cli.homework.checking.checking import read
 from planar_cli.problem.structure import load_text
-from planar_cli.report.blocks import Name, line
-from planar_cli.report.graphs import Graph
-from planar_cli.report.marks import Figure
+from planar_cli.report.document.blocks import Name, line
+from planar_cli.report.document.graphs import Graph
+from planar_cli.report.document.marks import Figure
 from planar_cli.simulate.energies import NAMES, energies, off
 from planar_cli.simulate.run import Settings, follow
 

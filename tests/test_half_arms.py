@@ -5,9 +5,9 @@ from __future__ import annotations
 import sympy as sp
 from worked import page_of_file
 
-from planar_cli.problem.geometry import Vec
-from planar_cli.report.blocks import Name, line
-from planar_cli.report.half_arms import half_of
+from planar_cli.problem.scene.geometry import Vec
+from planar_cli.report.document.blocks import Name, line
+from planar_cli.report.kinematics.half_arms import half_of
 
 X, L = sp.symbols("x l", positive=True)
 TOLD = {"r_B/A": Vec(X - L / 2, L), "r_C/D": Vec(X, L)}

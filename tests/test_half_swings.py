@@ -12,8 +12,8 @@ from conftest import ROOT
 from worked import worked
 
 from planar_cli.formats.terminal import Terminal
-from planar_cli.homework.checking import read
-from planar_cli.report.narrate import narrate
+from planar_cli.homework.checking.checking import read
+from planar_cli.report.page.narrate import narrate
 from planar_cli.solve.run import solve_problem
 from planar_cli.solve.solved_problem import Solution
 

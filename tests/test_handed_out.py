@@ -15,12 +15,12 @@ from worked import name_of, worked
 from planar_cli.cli import run
 from planar_cli.commands._handed_out import PAGES, PDF, page
 from planar_cli.figures.handed_out import handed_out, letters_told
-from planar_cli.homework.ready import Homework
-from planar_cli.homework.sheets import handed
+from planar_cli.homework.sets.ready import Homework
+from planar_cli.homework.sets.sheets import handed
 from planar_cli.problem.structure import load_text
-from planar_cli.report.blocks import Name, Value
-from planar_cli.report.handed_out import key, sheet
-from planar_cli.report.marks import Arrow, Dimension, Figure, Tag
+from planar_cli.report.document.blocks import Name, Value
+from planar_cli.report.document.handed_out import key, sheet
+from planar_cli.report.document.marks import Arrow, Dimension, Figure, Tag
 
 PROBLEM = ROOT / "tests" / "homework" / "slope.yaml"
 TWICE = ("latex", PDF)

@@ -11,7 +11,7 @@ import pytest
 from answered import assert_close, number, solve
 
 from planar_cli.errors import PlanarError
-from planar_cli.motion.unstable import growth
+from planar_cli.motion.follow.unstable import growth
 
 # --- dead centres: √(l² - r² sin²) cancels ---------------------------------------------------------------------------
 

@@ -11,7 +11,7 @@ from answered import BARS_IN_A_LOOP
 from conftest import ROOT
 
 from planar_cli import cli
-from planar_cli.homework.checking import read, solve_and_compare
+from planar_cli.homework.checking.checking import read, solve_and_compare
 
 HARD = sorted((ROOT / "problems" / "hard").glob("*.yaml"))
 JAMMED = """\

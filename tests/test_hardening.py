@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from planar_cli import cli
-from planar_cli.problem.show import harmless, spreadsheet_cell
+from planar_cli.problem.nodes.show import harmless, spreadsheet_cell
 from planar_cli.problem.structure import load
 from planar_cli.simulate.accuracy_report import Told, as_csv, as_markdown
 

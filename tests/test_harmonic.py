@@ -9,7 +9,7 @@ from conftest import ROOT
 from worked import worked
 
 from planar_cli.formats.terminal import Terminal
-from planar_cli.report.narrate import narrate
+from planar_cli.report.page.narrate import narrate
 
 
 def _page(name: str) -> str:

@@ -9,14 +9,14 @@ from conftest import ROOT
 from homework_class import KINDS, class_of
 
 from planar_cli.commands._handed_out import PAGES, PDF, page
-from planar_cli.homework.false_matches import false_matches
-from planar_cli.homework.grading_made import grading_of
+from planar_cli.homework.grading.false_matches import false_matches
+from planar_cli.homework.grading.grading_made import grading_of
 from planar_cli.homework.homework import assembled, prepared
-from planar_cli.homework.paper import Submission
-from planar_cli.homework.ready import Homework
-from planar_cli.homework.set_file import HomeworkSet, read_set
-from planar_cli.homework.sheets import handed, key_csv, sheet_csv, sheet_data
-from planar_cli.report.handed_out import key, sheet
+from planar_cli.homework.sets.paper import Submission
+from planar_cli.homework.sets.ready import Homework
+from planar_cli.homework.sets.set_file import HomeworkSet, read_set
+from planar_cli.homework.sets.sheets import handed, key_csv, sheet_csv, sheet_data
+from planar_cli.report.document.handed_out import key, sheet
 
 SET = ROOT / "tests" / "homework" / "set.yaml"
 NUMBER = 300

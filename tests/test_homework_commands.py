@@ -11,8 +11,8 @@ from conftest import ROOT
 from planar_cli.cli import run
 from planar_cli.commands._handed_out import page
 from planar_cli.errors import FileProblem
-from planar_cli.homework.set_file import read_set
-from planar_cli.homework.submissions import contents, submissions
+from planar_cli.homework.sets.set_file import read_set
+from planar_cli.homework.submissions.submissions import contents, submissions
 
 HOMEWORK = ROOT / "tests" / "homework"
 SET, HANDED_IN = str(HOMEWORK / "three.yaml"), str(HOMEWORK / "submissions")
@@ -91,9 +91,9 @@ def test_a_sheet_tells_what_is_asked_and_how_to_hand_in(tmp_path: Path) -> None:
 
 def test_the_example_of_a_sheet_can_be_read(tmp_path: Path) -> None:
     from planar_cli.homework.homework import assembled, prepared
-    from planar_cli.homework.sheets import Handed
-    from planar_cli.homework.submissions import contents, submissions
-    from planar_cli.report.handed_out import sheet
+    from planar_cli.homework.sets.sheets import Handed
+    from planar_cli.homework.submissions.submissions import contents, submissions
+    from planar_cli.report.document.handed_out import sheet
 
     path = tmp_path / "set.yaml"
     path.write_text(f"problems: [{HOMEWORK / 'slot.yaml'}]\n")

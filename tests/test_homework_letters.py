@@ -9,18 +9,18 @@ import sympy as sp
 
 from planar_cli.commands._handed_out import page
 from planar_cli.commands._told_formulas import told_formulas
-from planar_cli.homework.carried_errors import Carrier, unpickled
-from planar_cli.homework.grading import grade
+from planar_cli.homework.grading.carried_errors import Carrier, unpickled
+from planar_cli.homework.grading.grading import grade
 from planar_cli.homework.homework import assembled, prepared
-from planar_cli.homework.paper import Graded, Submission
-from planar_cli.homework.ready import Homework
-from planar_cli.homework.rules import Rules
-from planar_cli.homework.set_file import read_set
-from planar_cli.homework.sheets import handed
-from planar_cli.homework.submissions import contents, submissions
-from planar_cli.homework.wrong_formulas import as_written
+from planar_cli.homework.sets.paper import Graded, Submission
+from planar_cli.homework.sets.ready import Homework
+from planar_cli.homework.sets.rules import Rules
+from planar_cli.homework.sets.set_file import read_set
+from planar_cli.homework.sets.sheets import handed
+from planar_cli.homework.submissions.submissions import contents, submissions
+from planar_cli.homework.variants.wrong_formulas import as_written
 from planar_cli.registry import members
-from planar_cli.report.handed_out import sheet
+from planar_cli.report.document.handed_out import sheet
 
 SLOPE = """
 title: Block that slides down, in letters

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from planar_cli.homework.exports._asked import Asked, LeftOut, numbers
-from planar_cli.homework.paper import Expected, Mistaken, Task
+from planar_cli.homework.sets.paper import Expected, Mistaken, Task
 
 
 def test_the_rest_of_a_zero_component_is_zero() -> None:

@@ -10,9 +10,9 @@ from worked import PROBLEMS, page_of_file
 
 from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.structure import load_text
-from planar_cli.report.blocks import Equation, Forces, Math, Paragraph, line
-from planar_cli.report.idle_lines import without_idle_lines
-from planar_cli.report.narrate import narrate
+from planar_cli.report.document.blocks import Equation, Forces, Math, Paragraph, line
+from planar_cli.report.page.idle_lines import without_idle_lines
+from planar_cli.report.page.narrate import narrate
 from planar_cli.solve.run import solve_problem
 
 v, t_2, t_3, theta_1, theta_2 = sp.symbols("v t__2 t__3 theta__1 theta__2")

@@ -8,8 +8,8 @@ import pytest
 import sympy as sp
 from worked import page_of_file
 
-from planar_cli.report.blocks import Equation, Heading, Math, Name, Note, Paragraph, Value, line
-from planar_cli.report.in_one_line import in_one_line, of_motion
+from planar_cli.report.document.blocks import Equation, Heading, Math, Name, Note, Paragraph, Value, line
+from planar_cli.report.page.in_one_line import in_one_line, of_motion
 
 x, y = sp.symbols("O_x O_y")
 ASSUME = Note("Assume", line("the spring is free"))

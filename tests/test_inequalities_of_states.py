@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from planar_cli.errors import NoSolution
-from planar_cli.homework.checking import read
+from planar_cli.homework.checking.checking import read
 from planar_cli.problem.structure import load
 from planar_cli.solve.run import solve_problem
 

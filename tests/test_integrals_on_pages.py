@@ -8,8 +8,8 @@ from worked import page_of_file
 
 from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.structure import load_text
-from planar_cli.report.narrate import narrate
-from planar_cli.report.notation import plain
+from planar_cli.report.notation.notation import plain
+from planar_cli.report.page.narrate import narrate
 from planar_cli.solve.run import solve_problem
 
 A, B, C, G, K, M, R, V = sp.symbols("a b c g k m R v_0", positive=True)

@@ -10,8 +10,8 @@ from answered import assert_close, solve
 
 from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.structure import load_text
-from planar_cli.report.narrate import narrate
-from planar_cli.solve.between.integrated import apart, digits
+from planar_cli.report.page.narrate import narrate
+from planar_cli.solve.between.branches.integrated import apart, digits
 from planar_cli.solve.following.mode_search import ModeSearch
 from planar_cli.solve.regimes.mode_sequence import Workshop
 from planar_cli.solve.run import solve_problem

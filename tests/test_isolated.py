@@ -5,7 +5,7 @@ from __future__ import annotations
 import sympy as sp
 from worked import page_of_file
 
-from planar_cli.report.isolated import at_sight
+from planar_cli.report.equations.isolated import at_sight
 from planar_cli.solve.instant.algebra import Line
 from planar_cli.solve.instant.written import Written
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import sympy as sp
 
-from planar_cli.report.blocks import Equation, Math, Paragraph, line
-from planar_cli.report.joined_lines import ACCELERATIONS, VELOCITIES, joined_headings
+from planar_cli.report.document.blocks import Equation, Math, Paragraph, line
+from planar_cli.report.document.joined_lines import ACCELERATIONS, VELOCITIES, joined_headings
 
 ANGLE, AGAIN = Paragraph(line("Angle of bar:")), Paragraph(line("(1), differentiated:"))
 RATE = Equation((line("ω"), line("θ̇")), 1)

@@ -16,10 +16,10 @@ from string import Template
 import pytest
 import yaml
 
-from planar_cli.equation.exact import ZERO, Valuation
+from planar_cli.equation.values.exact import ZERO, Valuation
 from planar_cli.joints.base import Joint
-from planar_cli.problem.facts import Mode
-from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scene.facts import Mode
+from planar_cli.problem.scene.geometry import Vec
 from planar_cli.problem.structure import load_text
 from planar_cli.registry import members
 from planar_cli.solve.instant.instant import Instant, make_instant

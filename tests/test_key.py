@@ -9,9 +9,9 @@ from conftest import PROBLEMS
 from worked import name_of, worked
 
 from planar_cli.formats.terminal import Terminal
-from planar_cli.report.blocks import Answer, Bullet, Document, Heading
-from planar_cli.report.key import key_document
-from planar_cli.report.narrate import narrate
+from planar_cli.report.document.blocks import Answer, Bullet, Document, Heading
+from planar_cli.report.page.key import key_document
+from planar_cli.report.page.narrate import narrate
 
 STEMS = ("ex-1-02", "ex-4-05", "ball-on-a-rough-floor", "simple-pendulum", "yo-yo", "ball-up-with-drag-in-letters")
 FILES = [p for p in PROBLEMS if p.stem in STEMS]

@@ -8,8 +8,8 @@ import pytest
 import sympy as sp
 from worked import page_of_file
 
-from planar_cli.equation.exact import PI, Valuation
-from planar_cli.solve.between.one_by_one import without_factors
+from planar_cli.equation.values.exact import PI, Valuation
+from planar_cli.solve.between.roots.one_by_one import without_factors
 from planar_cli.solve.regimes.equations import Equation
 
 Y, R, K = sp.Symbol("y__2", real=True), sp.Symbol("R", positive=True), sp.Symbol("k", positive=True)

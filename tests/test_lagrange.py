@@ -10,10 +10,10 @@ import pytest
 from answered import assert_close, number
 
 from planar_cli.errors import FileProblem
-from planar_cli.problem.scene import Problem
+from planar_cli.problem.scene.scene import Problem
 from planar_cli.problem.structure import load, load_text
 from planar_cli.registry import members
-from planar_cli.report.narrate import narrate
+from planar_cli.report.page.narrate import narrate
 from planar_cli.solve.run import solve_problem
 from planar_cli.solve.solved_problem import PartSolution, Solution
 

@@ -12,8 +12,8 @@ from answered import assert_close, first, solve
 
 from planar_cli.errors import NoSolution
 from planar_cli.formats.terminal import Terminal
-from planar_cli.homework.checking import read, solve_and_compare
-from planar_cli.report.narrate import narrate
+from planar_cli.homework.checking.checking import read, solve_and_compare
+from planar_cli.report.page.narrate import narrate
 
 THROW = """
 title: Longest throw along a slope

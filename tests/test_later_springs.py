@@ -10,7 +10,7 @@ from test_graphs import path_of
 
 from planar_cli.figures.illustrated import figures_of
 from planar_cli.formats._svg import papers_of
-from planar_cli.report.marks import Coil, Figure, Hatched, Mark, Panel, Slot, Symbol
+from planar_cli.report.document.marks import Coil, Figure, Hatched, Mark, Panel, Slot, Symbol
 
 
 def scene(stem: str) -> tuple[Mark, ...]:

@@ -14,10 +14,10 @@ from worked import name_of, worked
 from planar_cli.figures.illustrated import illustrated
 from planar_cli.formats.base import in_one
 from planar_cli.formats.latex import Latex
-from planar_cli.report import blocks as doc
-from planar_cli.report.marks import Figure, Panel, Polyline, Tag
-from planar_cli.report.narrate import narrate
-from planar_cli.report.tex_words import in_ascii, words
+from planar_cli.report.document import blocks as doc
+from planar_cli.report.document.marks import Figure, Panel, Polyline, Tag
+from planar_cli.report.notation.tex_words import in_ascii, words
+from planar_cli.report.page.narrate import narrate
 
 EVERY = 24
 """Of so many problem files one is read in each run."""

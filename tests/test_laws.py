@@ -15,8 +15,8 @@ from planar_cli.calculus.antiderivative import antiderivative, definite
 from planar_cli.calculus.forcing import particular
 from planar_cli.calculus.laws import Moment, Span, relations
 from planar_cli.calculus.linear_laws import characteristic
-from planar_cli.equation.exact import Unvalued, Valuation
-from planar_cli.equation.quadrature import breaks, quad
+from planar_cli.equation.algebra.quadrature import breaks, quad
+from planar_cli.equation.values.exact import Unvalued, Valuation
 
 START = Moment(*sp.symbols("t0 q0 v0", real=True))
 END = Moment(*sp.symbols("t q v", real=True))

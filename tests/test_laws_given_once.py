@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import sympy as sp
 
-from planar_cli.report.blocks import Equation, Math, Paragraph, line
-from planar_cli.report.laws import without_given
+from planar_cli.report.document.blocks import Equation, Math, Paragraph, line
+from planar_cli.report.laws.laws import without_given
 
 T = sp.Symbol("t", real=True)
 

@@ -6,8 +6,8 @@ import math
 
 from test_figures_bodies import drawings
 
-from planar_cli.report.blocks import Name, Value, line
-from planar_cli.report.marks import Arc, Dimension, Slot, Tag
+from planar_cli.report.document.blocks import Name, Value, line
+from planar_cli.report.document.marks import Arc, Dimension, Slot, Tag
 
 
 def lengths(stem: str) -> list[tuple[str, float]]:

@@ -8,8 +8,8 @@ import pytest
 from conftest import PROBLEMS
 from worked import name_of, worked
 
-from planar_cli.report.blocks import Block, Equation, Paragraph, Text
-from planar_cli.report.narrate import Voice, narrate
+from planar_cli.report.document.blocks import Block, Equation, Paragraph, Text
+from planar_cli.report.page.narrate import Voice, narrate
 
 STEMS = (
     *(

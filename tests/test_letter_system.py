@@ -9,7 +9,7 @@ import pytest
 import sympy as sp
 from worked import page_of_file
 
-from planar_cli.report.letter_system import _common
+from planar_cli.report.equations.letter_system import _common
 
 M, L, G, BETA = sp.symbols("m L g beta", positive=True)
 ROW = re.compile(r"\((1[1-5])\)((?: -?\d+(?:/\d+)?){6})(?= )")

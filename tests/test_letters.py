@@ -10,12 +10,12 @@ import sympy as sp
 from answered import Answers, solve
 from conftest import PROBLEMS, ROOT
 
-from planar_cli.equation.exact import Valuation
-from planar_cli.equation.sample import anywhere, seeded
+from planar_cli.equation.values.exact import Valuation
+from planar_cli.equation.values.sample import anywhere, seeded
 from planar_cli.errors import Undecided
 from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.structure import load_text
-from planar_cli.report.narrate import narrate
+from planar_cli.report.page.narrate import narrate
 from planar_cli.solve.run import solve_problem
 
 SEEDS = 8

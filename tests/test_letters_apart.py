@@ -8,8 +8,8 @@ from conftest import ROOT
 
 from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.structure import load_text
-from planar_cli.report.names import latex_name, plain_name
-from planar_cli.report.narrate import narrate
+from planar_cli.report.notation.names import latex_name, plain_name
+from planar_cli.report.page.narrate import narrate
 from planar_cli.solve.run import solve_problem
 
 WEDGE = """

@@ -14,10 +14,10 @@ import sympy as sp
 from conftest import PROBLEMS
 from worked import GOLDEN, name_of, worked
 
-from planar_cli.problem.expression import Number
-from planar_cli.problem.scene import At
-from planar_cli.report.blocks import Equation, Math, Value
-from planar_cli.report.narrate import narrate
+from planar_cli.problem.language.expression import Number
+from planar_cli.problem.scene.scene import At
+from planar_cli.report.document.blocks import Equation, Math, Value
+from planar_cli.report.page.narrate import narrate
 from planar_cli.solve.run import solve_problem
 from planar_cli.solve.solved_problem import PartSolution, Solution
 

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from planar_cli.homework.numbered import numbered
-from planar_cli.homework.worked_problem import read_and_solve
+from planar_cli.homework.variants.numbered import numbered
+from planar_cli.homework.variants.worked_problem import read_and_solve
 
 IMPACT = Path(__file__).parents[1] / "problems" / "impact"
 

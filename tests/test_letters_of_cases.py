@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import pytest
 
-from planar_cli.homework.carried_errors import Carrier, unpickled
-from planar_cli.homework.grading import grade
+from planar_cli.homework.grading.carried_errors import Carrier, unpickled
+from planar_cli.homework.grading.grading import grade
 from planar_cli.homework.homework import assembled, prepared
-from planar_cli.homework.paper import Graded, Submission
-from planar_cli.homework.ready import Homework
-from planar_cli.homework.rules import Rules
-from planar_cli.homework.set_file import read_set
+from planar_cli.homework.sets.paper import Graded, Submission
+from planar_cli.homework.sets.ready import Homework
+from planar_cli.homework.sets.rules import Rules
+from planar_cli.homework.sets.set_file import read_set
 
 SLOPE = """
 plane: vertical

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from worked import page_of_file
 
-from planar_cli.problem.impulse_letters import of_reaction
+from planar_cli.problem.scene.impulse_letters import of_reaction
 
 
 @pytest.mark.parametrize(("force", "impulse"), [

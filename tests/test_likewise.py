@@ -10,8 +10,8 @@ import sympy as sp
 from conftest import ROOT
 from worked import page_of_file, worked
 
-from planar_cli.report.blocks import Answer, Equation, Math, Paragraph, Value, line
-from planar_cli.report.likewise import told_likewise
+from planar_cli.report.document.blocks import Answer, Equation, Math, Paragraph, Value, line
+from planar_cli.report.repeats.likewise import told_likewise
 
 PROBLEM = worked(ROOT / "problems" / "plans" / "parallelogram-6-cranks.yaml")[0].problem
 

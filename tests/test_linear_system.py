@@ -14,9 +14,9 @@ from page_rules import PAGES, WIDTH
 from worked import worked
 
 from planar_cli.formats.terminal import Terminal
-from planar_cli.report.blocks import Equation, Paragraph, Table
-from planar_cli.report.linear_system import DEPENDENT, SENSITIVE, Row, solved, system
-from planar_cli.report.narrate import narrate
+from planar_cli.report.document.blocks import Equation, Paragraph, Table
+from planar_cli.report.in_numbers.linear_system import DEPENDENT, SENSITIVE, Row, solved, system
+from planar_cli.report.page.narrate import narrate
 
 ROOT_LINE = re.compile(r"^ *(?:together:)? +(\S+) = (-?[\d.]+)(?: \S+)?$")
 LIKEWISE = re.compile(r"(\S+) = (-?[\d.]+) rad/s²")

@@ -9,8 +9,8 @@ import pytest
 from worked import page_of_file
 
 from planar_cli.formats.terminal import Terminal
-from planar_cli.homework.checking import read, solve_and_compare
-from planar_cli.report.narrate import narrate
+from planar_cli.homework.checking.checking import read, solve_and_compare
+from planar_cli.report.page.narrate import narrate
 
 DRUM = """
 title: Cylinder that rolls off a drum

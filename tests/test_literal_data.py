@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 from homework_made import mistakes_of
 
-from planar_cli.homework.literal_data import with_names
-from planar_cli.problem.nodes import Mapping, Node, Scalar, read_text
+from planar_cli.homework.variants.literal_data import with_names
+from planar_cli.problem.nodes.nodes import Mapping, Node, Scalar, read_text
 
 SLOPE = """
 title: Crate down a slope, pulled back by a cord

@@ -6,9 +6,9 @@ import pytest
 
 from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.structure import load_text
-from planar_cli.report.blocks import Equation, Name, line
-from planar_cli.report.loads_by_letter import with_loads_by_letter
-from planar_cli.report.narrate import narrate
+from planar_cli.report.document.blocks import Equation, Name, line
+from planar_cli.report.page.narrate import narrate
+from planar_cli.report.words.loads_by_letter import with_loads_by_letter
 from planar_cli.solve.run import solve_problem
 
 PUSHED = """

@@ -6,10 +6,10 @@ import sympy as sp
 from conftest import ROOT
 from worked import worked
 
-from planar_cli.equation.ledger import Ledger
+from planar_cli.equation.values.ledger import Ledger
 from planar_cli.formats.terminal import Terminal
-from planar_cli.report.logarithms import of_ratios
-from planar_cli.report.narrate import narrate
+from planar_cli.report.notation.logarithms import of_ratios
+from planar_cli.report.page.narrate import narrate
 from planar_cli.units import parse_unit
 
 

@@ -11,9 +11,15 @@ import pytest
 import planar_cli
 from planar_cli.formats._latex import equation
 from planar_cli.mathml import MathML
-from planar_cli.report.blocks import Equation, Text
+from planar_cli.report.document.blocks import Equation, Text
 
-WRITERS = ("report/latex.py", "report/names.py", "report/notation.py", "formats/_formulas.py", "formats/markdown.py")
+WRITERS = (
+    "report/notation/latex.py",
+    "report/notation/names.py",
+    "report/notation/notation.py",
+    "formats/_formulas.py",
+    "formats/markdown.py",
+)
 
 
 def shape(latex: str) -> str:

@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 from homework_made import GATE, graded, homework_of, set_of
 
-from planar_cli.homework.answers import compare
-from planar_cli.homework.ready import Homework
+from planar_cli.homework.checking.answers import compare
+from planar_cli.homework.sets.ready import Homework
 from planar_cli.problem.structure import load_text
 from planar_cli.solve.run import solve_problem
 

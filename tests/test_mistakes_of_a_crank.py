@@ -8,11 +8,11 @@ from pathlib import Path
 import pytest
 from homework_made import homework_of, mistakes_of, set_of
 
-from planar_cli.homework.carried_errors import Carrier, unpickled
-from planar_cli.homework.grading import grade
-from planar_cli.homework.paper import Graded, Submission
-from planar_cli.homework.ready import Homework
-from planar_cli.homework.rules import Rules
+from planar_cli.homework.grading.carried_errors import Carrier, unpickled
+from planar_cli.homework.grading.grading import grade
+from planar_cli.homework.sets.paper import Graded, Submission
+from planar_cli.homework.sets.ready import Homework
+from planar_cli.homework.sets.rules import Rules
 
 CRANK = """
 given: {r: 80 mm, l: 220 mm, e: 40 mm, n: 150 rpm, phi: 50 deg}

@@ -8,10 +8,10 @@ from pathlib import Path
 import pytest
 
 from planar_cli.errors import Mark
-from planar_cli.homework.followed_mistakes import FEW, MOST, left_out
+from planar_cli.homework.grading.followed_mistakes import FEW, MOST, left_out
 from planar_cli.homework.homework import prepared
-from planar_cli.homework.set_file import SetProblem
-from planar_cli.homework.worked_problem import read_and_solve
+from planar_cli.homework.sets.set_file import SetProblem
+from planar_cli.homework.variants.worked_problem import read_and_solve
 
 # A wind that rises and falls with the place: there is no closed form over time.
 SLED = """

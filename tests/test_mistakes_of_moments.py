@@ -7,7 +7,7 @@ from __future__ import annotations
 import pytest
 from homework_made import BALL_ON_ROD, GATE, graded, homework_of, set_of
 
-from planar_cli.homework.ready import Homework
+from planar_cli.homework.sets.ready import Homework
 
 WIDE_GATE = GATE.replace("20 in", "40 in")
 PUTTY = f"""

@@ -10,9 +10,9 @@ import pytest
 from conftest import ROOT
 
 from planar_cli.errors import FileProblem
-from planar_cli.motion.model import Model
-from planar_cli.motion.regime import Regime
-from planar_cli.motion.scene import MovingScene
+from planar_cli.motion.regime.model import Model
+from planar_cli.motion.regime.regime import Regime
+from planar_cli.motion.scene.scene import MovingScene
 from planar_cli.problem.structure import load
 
 FILES = sorted((ROOT / "problems").rglob("*.yaml"))

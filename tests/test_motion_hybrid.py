@@ -9,11 +9,11 @@ import pytest
 from automata import GRAVITY, Always, Condition, Law, Scene, modes, touching
 
 from planar_cli.integrators.base import Setting
-from planar_cli.motion.automaton import Choice, Regime, Start
-from planar_cli.motion.follow import Follower
-from planar_cli.motion.impact import Struck, StruckContact, strike
-from planar_cli.motion.schedule import Crossing, Event, Schedule
-from planar_cli.motion.trajectory import Trajectory
+from planar_cli.motion.follow.follow import Follower
+from planar_cli.motion.trajectory.automaton import Choice, Regime, Start
+from planar_cli.motion.trajectory.impact import Struck, StruckContact, strike
+from planar_cli.motion.trajectory.schedule import Crossing, Event, Schedule
+from planar_cli.motion.trajectory.trajectory import Trajectory
 
 APART, TOUCHES = 0, 1
 

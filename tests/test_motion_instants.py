@@ -14,19 +14,19 @@ from conftest import ROOT
 
 from planar_cli.base_units import in_base
 from planar_cli.errors import FileProblem
-from planar_cli.motion.mode import Chooser, Chosen
-from planar_cli.motion.quantities import Quantities
-from planar_cli.motion.scene import MovingScene
-from planar_cli.motion.stages import SceneStages
-from planar_cli.motion.start import start_of
-from planar_cli.motion.stated import either
-from planar_cli.motion.terms import Term, evaluate
-from planar_cli.problem.expression import Equilibrium, Name, Negate, Number, Quantity, Relation, Side, Word
-from planar_cli.problem.geometry import Vec
-from planar_cli.problem.reactions import Reactions
-from planar_cli.problem.scene import Answer, Find, Problem
+from planar_cli.motion.follow.stages import SceneStages
+from planar_cli.motion.regime.mode import Chooser, Chosen
+from planar_cli.motion.scene.quantities import Quantities
+from planar_cli.motion.scene.scene import MovingScene
+from planar_cli.motion.scene.stated import either
+from planar_cli.motion.start.start import start_of
+from planar_cli.motion.terms.terms import Term, evaluate
+from planar_cli.problem.language.expression import Equilibrium, Name, Negate, Number, Quantity, Relation, Side, Word
+from planar_cli.problem.language.walk import walk
+from planar_cli.problem.scene.geometry import Vec
+from planar_cli.problem.scene.reactions import Reactions
+from planar_cli.problem.scene.scene import Answer, Find, Problem
 from planar_cli.problem.structure import load, load_text
-from planar_cli.problem.walk import walk
 from planar_cli.simulate.run import Settings, simulate
 from planar_cli.units import parse_unit
 

@@ -8,12 +8,12 @@ from collections.abc import Mapping
 import pytest
 
 from planar_cli.integrators.base import Setting
-from planar_cli.motion.automaton import Start
-from planar_cli.motion.follow import Follower
-from planar_cli.motion.scene import MovingScene
-from planar_cli.motion.schedule import Crossing, Event, Schedule
-from planar_cli.motion.stages import SceneStages
-from planar_cli.motion.trajectory import Trajectory
+from planar_cli.motion.follow.follow import Follower
+from planar_cli.motion.follow.stages import SceneStages
+from planar_cli.motion.scene.scene import MovingScene
+from planar_cli.motion.trajectory.automaton import Start
+from planar_cli.motion.trajectory.schedule import Crossing, Event, Schedule
+from planar_cli.motion.trajectory.trajectory import Trajectory
 from planar_cli.problem.structure import load_text
 
 GRAVITY = 9.81

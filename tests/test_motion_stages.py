@@ -12,10 +12,10 @@ import pytest
 import sympy as sp
 
 from planar_cli.problem.structure import load_text
-from planar_cli.solve.between.motion_equations import MotionEquations, all_equations, first_equations
-from planar_cli.solve.between.span_trace import SpanIntegral
-from planar_cli.solve.between.stated_motion import StatedMotion, stated_motion
-from planar_cli.solve.between.trace import MotionTrace
+from planar_cli.solve.between.equations.motion_equations import MotionEquations, all_equations, first_equations
+from planar_cli.solve.between.equations.stated_motion import StatedMotion, stated_motion
+from planar_cli.solve.between.trace.span_trace import SpanIntegral
+from planar_cli.solve.between.trace.trace import MotionTrace
 from planar_cli.solve.following.starts import Start, certain_start
 from planar_cli.solve.regimes.first_modes import first_modes
 from planar_cli.solve.regimes.mode_sequence import Workshop

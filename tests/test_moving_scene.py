@@ -14,12 +14,12 @@ from conftest import ROOT
 
 from planar_cli.errors import NOWHERE, FileProblem
 from planar_cli.joints.base import Joint
-from planar_cli.motion.quantities import Quantities
-from planar_cli.motion.scene import MovingScene
-from planar_cli.motion.terms import Term, evaluate
-from planar_cli.problem.geometry import Vec
-from planar_cli.problem.parser import parse_side
-from planar_cli.problem.scene import Problem
+from planar_cli.motion.scene.quantities import Quantities
+from planar_cli.motion.scene.scene import MovingScene
+from planar_cli.motion.terms.terms import Term, evaluate
+from planar_cli.problem.language.parser import parse_side
+from planar_cli.problem.scene.geometry import Vec
+from planar_cli.problem.scene.scene import Problem
 from planar_cli.problem.structure import load, load_text
 
 FILES = sorted((ROOT / "problems").rglob("*.yaml"))

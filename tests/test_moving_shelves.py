@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 import yaml
 
-from planar_cli.homework.checking import read, solve_and_compare
+from planar_cli.homework.checking.checking import read, solve_and_compare
 from planar_cli.registry import members
 
 SCENES: dict[str, str | None] = yaml.safe_load((Path(__file__).parent / "moving_scenes.yaml").read_text())

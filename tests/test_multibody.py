@@ -11,11 +11,11 @@ from typing import Any
 import pytest
 from conftest import PROBLEMS, ROOT
 
-from planar_cli.equation.exact import Unvalued
-from planar_cli.equation.form import Nonlinear
+from planar_cli.equation.algebra.form import Nonlinear
+from planar_cli.equation.values.exact import Unvalued
 from planar_cli.errors import FileProblem
-from planar_cli.problem.facts import Action, Push
-from planar_cli.problem.scene import Problem
+from planar_cli.problem.scene.facts import Action, Push
+from planar_cli.problem.scene.scene import Problem
 from planar_cli.problem.structure import load, load_text
 from planar_cli.solve.instant.instant import Trial, make_instant
 from planar_cli.solve.instant.modes_search import search_modes

@@ -9,13 +9,13 @@ import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from planar_cli.equation.cancelling import cancelled
-from planar_cli.equation.common_factors import factor_terms, together
-from planar_cli.equation.counting import operations
-from planar_cli.equation.expansion import expanded, wide
-from planar_cli.equation.factoring import factored
-from planar_cli.equation.machine import compiled
-from planar_cli.equation.plain import identically_zero, letters, replaced, simplified
+from planar_cli.equation.algebra.cancelling import cancelled
+from planar_cli.equation.algebra.common_factors import factor_terms, together
+from planar_cli.equation.algebra.counting import operations
+from planar_cli.equation.algebra.expansion import expanded, wide
+from planar_cli.equation.algebra.factoring import factored
+from planar_cli.equation.algebra.machine import compiled
+from planar_cli.equation.algebra.plain import identically_zero, letters, replaced, simplified
 
 m, k, n = sp.symbols("m k n", positive=True)
 u, v, w = sp.symbols("u v w", real=True)

@@ -14,7 +14,7 @@ import pytest
 from conftest import ROOT
 from mutation_record import Part
 
-from planar_cli.problem import nodes
+from planar_cli.problem.nodes import nodes
 
 FILES = (
     "friction/crate-pulled",

@@ -8,8 +8,8 @@ import pytest
 import sympy as sp
 from worked import page_of_file
 
-from planar_cli.report.blocks import Answer, Block, Equation, Math, Name, Paragraph, Value, line
-from planar_cli.report.named_in_answer import named_in_answer
+from planar_cli.report.answers.named_in_answer import named_in_answer
+from planar_cli.report.document.blocks import Answer, Block, Equation, Math, Name, Paragraph, Value, line
 
 X, Y = sp.symbols("x_2 y_2", real=True)
 VALUE = Value(Decimal(3), "m", 4)

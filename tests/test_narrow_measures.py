@@ -10,14 +10,14 @@ import pytest
 import sympy as sp
 from answered import solve
 
-from planar_cli.equation.exact import Valuation
+from planar_cli.equation.values.exact import Valuation
 from planar_cli.errors import NOWHERE, NoSolution
 from planar_cli.integrators.base import Setting
-from planar_cli.motion.crossings import Watch
-from planar_cli.motion.drive import drive
+from planar_cli.motion.terms.crossings import Watch
+from planar_cli.motion.trajectory.drive import drive
 from planar_cli.problem.structure import load_text
 from planar_cli.simulate.run import Settings, simulate
-from planar_cli.solve.between.agreement import _without_turns, demand_fulfilled
+from planar_cli.solve.between.branches.agreement import _without_turns, demand_fulfilled
 from planar_cli.solve.instant.verify import Disagreement
 from planar_cli.units import parse_unit
 

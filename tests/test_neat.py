@@ -11,12 +11,12 @@ import sympy as sp
 from conftest import PROBLEMS
 from worked import worked
 
-from planar_cli.equation.exact import Valuation
-from planar_cli.equation.ledger import Ledger
+from planar_cli.equation.values.exact import Valuation
+from planar_cli.equation.values.ledger import Ledger
 from planar_cli.formats.terminal import Terminal
-from planar_cli.report.narrate import narrate
-from planar_cli.report.neat import Neat
-from planar_cli.report.notation import plain
+from planar_cli.report.notation.neat import Neat
+from planar_cli.report.notation.notation import plain
+from planar_cli.report.page.narrate import narrate
 
 m, R, r, g, L, k = sp.symbols("m R r g L k", positive=True)
 phi, omega, theta = sp.symbols("phi omega theta", real=True)

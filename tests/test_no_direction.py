@@ -10,11 +10,11 @@ from answered import assert_close, solve
 
 from planar_cli.errors import FileProblem, NoSolution, PlanarError
 from planar_cli.integrators.base import Setting, StepTooSmall
-from planar_cli.motion.crossings import Watch
-from planar_cli.motion.drive import drive
+from planar_cli.motion.terms.crossings import Watch
+from planar_cli.motion.trajectory.drive import drive
 from planar_cli.problem.structure import load_text
 from planar_cli.registry import members
-from planar_cli.report.narrate import Voice, narrate
+from planar_cli.report.page.narrate import Voice, narrate
 from planar_cli.simulate.run import Settings, simulate
 from planar_cli.solve.run import solve_problem
 

@@ -16,10 +16,10 @@ from ruamel.yaml import YAML
 from ruamel.yaml.nodes import MappingNode, ScalarNode
 
 from planar_cli.errors import Mark
-from planar_cli.problem import codes
-from planar_cli.problem.codes import CODES
-from planar_cli.problem.nodes import Mapping, Node, Scalar, Sequence, read_file, read_text
-from planar_cli.problem.show import show_diagnostic
+from planar_cli.problem.codes import codes
+from planar_cli.problem.codes.codes import CODES
+from planar_cli.problem.nodes.nodes import Mapping, Node, Scalar, Sequence, read_file, read_text
+from planar_cli.problem.nodes.show import show_diagnostic
 
 
 def plain(node: Node) -> object:
@@ -206,8 +206,12 @@ def test_bad_files(tmp_path: Path) -> None:
 
 
 def test_every_code_of_the_reading_layer_is_explained() -> None:
-    folder = Path(codes.__file__).parent
-    names = "dimensions instants limits nodes parser sides tokens unit_run yaml_errors"
+    folder = Path(codes.__file__).parents[1]
+    names = (
+        "language/dimensions language/instants language/limits language/parser language/sides "
+        "language/tokens language/unit_run "
+        "nodes/nodes nodes/yaml_errors"
+    )
     used = {
         code for name in names.split() for code in re.findall(r"PL\d{3}", (folder / f"{name}.py").read_text("utf-8"))
     }

@@ -8,8 +8,8 @@ import pytest
 import sympy
 from sympy import Abs, Add, Eq, Mul, Rational, Symbol, atan, cos, exp, pi, sin, sqrt
 
-from planar_cli.report.names import latex_name, plain_name
-from planar_cli.report.notation import latex, plain
+from planar_cli.report.notation.names import latex_name, plain_name
+from planar_cli.report.notation.notation import latex, plain
 
 _NAMES = "P F R r L h x m M m_1 m_2 g t v v_0 k k_G mu_k N I_G a_G alpha omega_AB theta"
 S = {name: Symbol(name, positive=True) for name in _NAMES.split()}

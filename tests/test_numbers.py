@@ -6,8 +6,8 @@ from decimal import Decimal
 
 import pytest
 
-from planar_cli.equation.arrows import vector_arrow
-from planar_cli.report.numbers import quantity, rotation_words, significant, vector_words
+from planar_cli.equation.scene.arrows import vector_arrow
+from planar_cli.report.notation.numbers import quantity, rotation_words, significant, vector_words
 
 
 @pytest.mark.parametrize(

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import sympy as sp
 
-from planar_cli.report.blocks import Equation, Math, Name, Paragraph, line
-from planar_cli.report.numbers_alone import numbers_alone
+from planar_cli.report.document.blocks import Equation, Math, Name, Paragraph, line
+from planar_cli.report.page.numbers_alone import numbers_alone
 
 R, NUMBER = sp.symbols("r number", positive=True)
 

@@ -11,17 +11,17 @@ import sympy as sp
 from conftest import PROBLEMS, ROOT
 from worked import name_of, page_of_file, worked
 
-from planar_cli.equation.ledger import display
+from planar_cli.equation.values.ledger import display
 from planar_cli.formats.terminal import Terminal
-from planar_cli.homework.checking import read, solve_and_compare
-from planar_cli.report.blocks import Equation, Math
-from planar_cli.report.clean import Mixed, dimension_of, is_clean
-from planar_cli.report.in_numbers import in_numbers
-from planar_cli.report.narrate import narrate, phrases_of
-from planar_cli.report.notation import plain
-from planar_cli.report.ordering import NUMBER
-from planar_cli.report.page_units import coherent_unit
-from planar_cli.report.words import Phrases
+from planar_cli.homework.checking.checking import read, solve_and_compare
+from planar_cli.report.document.blocks import Equation, Math
+from planar_cli.report.in_numbers.in_numbers import in_numbers
+from planar_cli.report.notation.clean import Mixed, dimension_of, is_clean
+from planar_cli.report.notation.notation import plain
+from planar_cli.report.notation.ordering import NUMBER
+from planar_cli.report.notation.page_units import coherent_unit
+from planar_cli.report.page.narrate import narrate, phrases_of
+from planar_cli.report.words.words import Phrases
 from planar_cli.solve.solution import InstantSolution
 from planar_cli.units import FORCE, INERTIA, MASS
 
@@ -96,7 +96,7 @@ def test_no_unit_is_swallowed(path: Path, monkeypatch: pytest.MonkeyPatch) -> No
     """Of a numeric problem, equations that are printed in letters have terms of one dimension; in the letters that the
     ledger knows, before those take the names of what is asked.
     """
-    monkeypatch.setattr("planar_cli.report.narrate.with_one_name", list)
+    monkeypatch.setattr("planar_cli.report.page.narrate.with_one_name", list)
     for part in worked(path)[0].parts:
         ledgers = [i.instant.scene.ledger for i in part.instants if not i.instant.scene.ledger.symbolic]
         document = narrate(worked(path)[0])

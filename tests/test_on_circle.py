@@ -11,10 +11,10 @@ from worked import page_of_file
 
 from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.structure import load_text
-from planar_cli.report.blocks import Equation, Math
-from planar_cli.report.given_letters import with_given_letters
-from planar_cli.report.narrate import narrate
-from planar_cli.report.on_circle import components
+from planar_cli.report.document.blocks import Equation, Math
+from planar_cli.report.given.given_letters import with_given_letters
+from planar_cli.report.instant.on_circle import components
+from planar_cli.report.page.narrate import narrate
 from planar_cli.solve.run import solve_problem
 
 V, W, R, X = sp.symbols("v omega r v_Ax", real=True)

@@ -9,9 +9,9 @@ from pdf_text import texts_of_pages
 
 from planar_cli.formats._svg import PRINT
 from planar_cli.formats.html import Html
-from planar_cli.report import blocks as doc
-from planar_cli.report.marks import Figure, Panel, Polyline
-from planar_cli.report.prose import with_pretty_units
+from planar_cli.report.document import blocks as doc
+from planar_cli.report.document.marks import Figure, Panel, Polyline
+from planar_cli.report.document.prose import with_pretty_units
 from planar_cli.typeset import pdf
 
 FIGURE = Figure((Panel((Polyline(((0.0, 0.0), (2.0, 1.0)), "body"),)),), "a diagram", note=doc.line("shown below"))

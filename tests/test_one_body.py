@@ -8,7 +8,7 @@ from conftest import PROBLEMS
 from worked import page_of_file, page_of_text, worked
 
 from planar_cli.formats.terminal import Terminal
-from planar_cli.report.narrate import Voice, narrate
+from planar_cli.report.page.narrate import Voice, narrate
 
 CARRIER = "block-shot-along-a-carrier"
 

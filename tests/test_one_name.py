@@ -8,8 +8,8 @@ import pytest
 import sympy as sp
 from worked import page_of_file
 
-from planar_cli.report.blocks import Answer, Block, Equation, Math, Name, Note, Text, Value, line
-from planar_cli.report.one_name import with_one_name
+from planar_cli.report.document.blocks import Answer, Block, Equation, Math, Name, Note, Text, Value, line
+from planar_cli.report.words.one_name import with_one_name
 
 CORD, GRAVITY, MASS = (sp.Symbol(x, real=True) for x in ("T_cord", "g", "m"))
 SPEED = sp.Symbol("v_A__2", real=True)

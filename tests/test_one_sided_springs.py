@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from answered import BUFFER, CORD
 
-from planar_cli.homework.checking import read
+from planar_cli.homework.checking.checking import read
 from planar_cli.solve.run import solve_problem
 
 STANDING = """

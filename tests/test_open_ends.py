@@ -8,7 +8,7 @@ import pytest
 import sympy as sp
 from answered import first, solve
 
-from planar_cli.equation.exact import Valuation
+from planar_cli.equation.values.exact import Valuation
 from planar_cli.problem.structure import load_text
 from planar_cli.solve.instant.roots import real_roots
 

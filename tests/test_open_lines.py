@@ -11,11 +11,11 @@ from conftest import ROOT
 from worked import worked
 
 from planar_cli.formats.terminal import Terminal
-from planar_cli.report.blocks import Math
-from planar_cli.report.forces import drawn_bodies, force_rows
-from planar_cli.report.narrate import narrate
-from planar_cli.report.open_lines import NOT_NEEDED, open_line
-from planar_cli.report.words import Phrases
+from planar_cli.report.document.blocks import Math
+from planar_cli.report.kinetics.forces import drawn_bodies, force_rows
+from planar_cli.report.kinetics.open_lines import NOT_NEEDED, open_line
+from planar_cli.report.page.narrate import narrate
+from planar_cli.report.words.words import Phrases
 from planar_cli.solve.solution import InstantSolution
 
 NEAR = Decimal("1e-15")

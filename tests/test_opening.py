@@ -10,8 +10,8 @@ from worked import worked
 
 from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.structure import load_text
-from planar_cli.report.blocks import Heading, Name, Note
-from planar_cli.report.narrate import narrate
+from planar_cli.report.document.blocks import Heading, Name, Note
+from planar_cli.report.page.narrate import narrate
 from planar_cli.solve.run import solve_problem
 
 FILES = {p.stem: p for p in PROBLEMS}

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from homework_made import graded, homework_of, mistakes_of, set_of
 
-from planar_cli.homework.worked_problem import base_expected, read_and_solve
+from planar_cli.homework.variants.worked_problem import base_expected, read_and_solve
 
 FOUR_BAR = """
 points:

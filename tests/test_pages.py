@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from test_structure import whole_files
 
-from planar_cli.homework.checking import read, solve_and_compare
+from planar_cli.homework.checking.checking import read, solve_and_compare
 from planar_cli.manual import pages
 
 TOPICS = {page: topic for topic, page in pages().items()}

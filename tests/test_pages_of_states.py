@@ -13,16 +13,16 @@ from conftest import ROOT
 from printed import Page, equations
 from worked import worked
 
-from planar_cli.equation.counting import operations
-from planar_cli.equation.ledger import display
+from planar_cli.equation.algebra.counting import operations
+from planar_cli.equation.values.ledger import display
 from planar_cli.formats.terminal import Terminal
-from planar_cli.report.blocks import Block, Equation, Heading, Math, Paragraph, Text, Value, line
-from planar_cli.report.clean import is_clean
-from planar_cli.report.motion import MotionTelling
-from planar_cli.report.motion_phrases import motion_phrases
-from planar_cli.report.narrate import narrate
-from planar_cli.report.notation import plain
-from planar_cli.solve.between.trace import MotionTrace
+from planar_cli.report.document.blocks import Block, Equation, Heading, Math, Paragraph, Text, Value, line
+from planar_cli.report.motion.motion import MotionTelling
+from planar_cli.report.notation.clean import is_clean
+from planar_cli.report.notation.notation import plain
+from planar_cli.report.page.narrate import narrate
+from planar_cli.report.words.motion_phrases import motion_phrases
+from planar_cli.solve.between.trace.trace import MotionTrace
 from planar_cli.units import Unit, parse_unit
 
 FILES = (

@@ -7,7 +7,7 @@ from collections.abc import Callable
 import pytest
 
 from planar_cli.errors import Mark
-from planar_cli.problem.expression import (
+from planar_cli.problem.language.expression import (
     AtRest,
     Binary,
     Equilibrium,
@@ -25,7 +25,7 @@ from planar_cli.problem.expression import (
     Side,
     Word,
 )
-from planar_cli.problem.parser import (
+from planar_cli.problem.language.parser import (
     ParseError,
     parse_found,
     parse_law,
@@ -34,7 +34,7 @@ from planar_cli.problem.parser import (
     parse_span,
     parse_statement,
 )
-from planar_cli.problem.words import is_reserved
+from planar_cli.problem.language.words import is_reserved
 
 HERE = Mark("f", 7, 11)
 

@@ -10,10 +10,17 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from planar_cli.errors import Diagnostic, Mark
-from planar_cli.problem.codes import CODES
-from planar_cli.problem.dimensions import dimension_of
-from planar_cli.problem.expression import Number
-from planar_cli.problem.parser import ParseError, parse_found, parse_law, parse_side, parse_span, parse_statement
+from planar_cli.problem.codes.codes import CODES
+from planar_cli.problem.language.dimensions import dimension_of
+from planar_cli.problem.language.expression import Number
+from planar_cli.problem.language.parser import (
+    ParseError,
+    parse_found,
+    parse_law,
+    parse_side,
+    parse_span,
+    parse_statement,
+)
 
 HERE = Mark("f", 7, 11)
 

@@ -13,9 +13,9 @@ from worked import worked
 from planar_cli.figures.illustrated import figures_of, illustrated
 from planar_cli.formats._paper import runs_of
 from planar_cli.formats._svg import svg
-from planar_cli.report.blocks import Answer, Drawing, Line
-from planar_cli.report.marks import Angle, Arrow, Figure, Panel, Polyline, Span, Spot
-from planar_cli.report.narrate import narrate
+from planar_cli.report.document.blocks import Answer, Drawing, Line
+from planar_cli.report.document.marks import Angle, Arrow, Figure, Panel, Polyline, Span, Spot
+from planar_cli.report.page.narrate import narrate
 
 
 def figures(stem: str) -> dict[str, Figure]:

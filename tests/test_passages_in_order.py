@@ -5,7 +5,7 @@ from __future__ import annotations
 import sympy as sp
 from worked import page_of_file
 
-from planar_cli.report.passages import in_order, is_quarter_turn
+from planar_cli.report.laws.passages import in_order, is_quarter_turn
 from planar_cli.solve.passages import CURVE, PLACES, RATES, Passage, Row
 
 

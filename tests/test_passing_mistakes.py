@@ -9,7 +9,7 @@ from homework_made import SLOPE, set_of
 
 from planar_cli.commands._tolerances import tolerances_of_set
 from planar_cli.homework.homework import assembled, prepared
-from planar_cli.homework.set_file import HomeworkSet
+from planar_cli.homework.sets.set_file import HomeworkSet
 
 SHALLOW = f"""{SLOPE.replace("beta: 30 deg, mu_k: 0.2", "beta: 10 deg, mu_k: 0.1")}
 variants: {{beta: [10 deg, 60 deg, 12 deg]}}

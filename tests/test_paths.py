@@ -11,10 +11,10 @@ import sympy as sp
 
 from planar_cli.errors import FileProblem
 from planar_cli.formats.terminal import Terminal
-from planar_cli.homework.checking import read, solve_and_compare
+from planar_cli.homework.checking.checking import read, solve_and_compare
 from planar_cli.problem.structure import load_text
-from planar_cli.report.json_document import solution_data
-from planar_cli.report.narrate import narrate
+from planar_cli.report.page.json_document import solution_data
+from planar_cli.report.page.narrate import narrate
 from planar_cli.solve.run import solve_problem
 from planar_cli.solve.solved_problem import Solution
 

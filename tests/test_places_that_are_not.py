@@ -8,7 +8,7 @@ import pytest
 
 from planar_cli.commands._limit import WORK, at_work
 from planar_cli.errors import FileProblem
-from planar_cli.homework.checking import read
+from planar_cli.homework.checking.checking import read
 from planar_cli.solve.run import solve_problem
 
 ROD = """plane: vertical

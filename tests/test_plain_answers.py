@@ -7,10 +7,10 @@ from decimal import Decimal
 import pytest
 import sympy as sp
 
-from planar_cli.equation.exact import Valuation
-from planar_cli.report.notation import plain
-from planar_cli.report.plain_answers import is_positive, plainest
-from planar_cli.report.shorter_angles import shorter
+from planar_cli.equation.values.exact import Valuation
+from planar_cli.report.answers.plain_answers import is_positive, plainest
+from planar_cli.report.notation.notation import plain
+from planar_cli.report.notation.shorter_angles import shorter
 
 g, mu, beta, d, h, v, phi, theta = sp.symbols("g mu beta d h v phi theta", positive=True)
 half, root = sp.atan(d / h) / 2, sp.sqrt(d**2 + h**2)

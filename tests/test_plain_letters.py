@@ -12,7 +12,7 @@ from worked import GOLDEN, worked
 from planar_cli import cli
 from planar_cli.formats.terminal import Terminal
 from planar_cli.plain_letters import ascii_of, is_poor, of_dots
-from planar_cli.report.narrate import narrate
+from planar_cli.report.page.narrate import narrate
 
 PAGES = sorted(GOLDEN.rglob("*.txt"))
 SPOOL = ROOT / "problems" / "textbook" / "ex-4-05.yaml"

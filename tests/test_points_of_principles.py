@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from worked import page_of_file
 
-from planar_cli.report.points_of_principles import in_letters
+from planar_cli.report.words.points_of_principles import in_letters
 
 
 @pytest.mark.parametrize(("stem", "told"), [

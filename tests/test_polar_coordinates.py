@@ -1,5 +1,5 @@
-"""Particles in polar coordinates: radial and transverse components (equation/components.py), chosen where all that acts
-passes through one fixed point (solve/central.py).
+"""Particles in polar coordinates: radial and transverse components (equation/kinematics/components.py), chosen where
+all that acts passes through one fixed point (solve/central.py).
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ import sympy as sp
 from planar_cli.errors import Undecided
 from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.structure import load_text
-from planar_cli.report.narrate import narrate
+from planar_cli.report.page.narrate import narrate
 from planar_cli.solve.central import in_polar_coordinates
 from planar_cli.solve.run import solve_problem
 

@@ -11,7 +11,7 @@ from test_graphs import path_of
 
 from planar_cli.figures.illustrated import figures_of
 from planar_cli.formats._paper import runs_of
-from planar_cli.report.marks import Figure, Span
+from planar_cli.report.document.marks import Figure, Span
 
 
 def polygon(stem: str, name: str) -> Figure:

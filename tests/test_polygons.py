@@ -17,9 +17,9 @@ from planar_cli.figures.vector_sums import vector_sums
 from planar_cli.formats._on_paper import Scale, on_paper
 from planar_cli.formats._paper import Stroke, runs_of
 from planar_cli.formats._svg import papers_of
-from planar_cli.report.blocks import Answer, Document, Drawing, Heading, Line, Name, line
-from planar_cli.report.marks import Figure, Panel, Span, Spot
-from planar_cli.report.narrate import narrate
+from planar_cli.report.document.blocks import Answer, Document, Drawing, Heading, Line, Name, line
+from planar_cli.report.document.marks import Figure, Panel, Span, Spot
+from planar_cli.report.page.narrate import narrate
 
 BASES = {
     "car-seen-from-a-bend": ("v_B = v_B′ + v_rel", "v_B = v_A + v_B/A", "a_B = a_B′ + a_cor + a_rel"),

@@ -7,8 +7,8 @@ import pytest
 from planar_cli.figures.cut_off import cut_off
 from planar_cli.figures.over_time import Plotted
 from planar_cli.figures.plots import changing_graphs
-from planar_cli.motion.drive import AUTOMATIC
-from planar_cli.problem.expression import Quantity
+from planar_cli.motion.trajectory.drive import AUTOMATIC
+from planar_cli.problem.language.expression import Quantity
 from planar_cli.problem.structure import load_text
 from planar_cli.simulate.report import Motion, Watch, told
 from planar_cli.simulate.request import TABLE_ROWS, Request

@@ -6,7 +6,7 @@ import pytest
 import sympy as sp
 from worked import page_of_file
 
-from planar_cli.equation.bounds import certain_sign, with_positive_divisors
+from planar_cli.equation.algebra.bounds import certain_sign, with_positive_divisors
 
 M, m, r = sp.symbols("M m r", positive=True)
 phi = sp.Symbol("phi", real=True)

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from homework_made import graded, homework_of, set_of
 
-from planar_cli.homework.ready import Homework
+from planar_cli.homework.sets.ready import Homework
 
 GUN = """
 plane: horizontal

@@ -7,7 +7,7 @@ from answered import first, solve
 
 from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.structure import load_text
-from planar_cli.report.narrate import narrate
+from planar_cli.report.page.narrate import narrate
 from planar_cli.solve.run import solve_problem
 
 TABLE = """

@@ -9,7 +9,7 @@ import pytest
 import sympy as sp
 from printed import Page
 
-from planar_cli.report.blocks import Equation, Math, Value, line
+from planar_cli.report.document.blocks import Equation, Math, Value, line
 
 x, y = sp.symbols("x y")
 NUMBERS = {x: 0.5, y: 2.0}

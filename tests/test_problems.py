@@ -15,8 +15,8 @@ from worked import assert_golden, name_of, worked
 
 from planar_cli.formats.json import dumps
 from planar_cli.formats.terminal import Terminal
-from planar_cli.report.json_document import solution_data
-from planar_cli.report.narrate import narrate
+from planar_cli.report.page.json_document import solution_data
+from planar_cli.report.page.narrate import narrate
 from planar_cli.solve.solved_problem import PartSolution, Solution
 
 

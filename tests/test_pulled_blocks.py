@@ -8,8 +8,8 @@ import pytest
 from test_figures_bodies import drawings
 
 from planar_cli.figures.sunk import MIDDLE, sunk
-from planar_cli.report.lines import line
-from planar_cli.report.marks import Angle, Arc, Arrow, Hatched, Mark, Polyline, Symbol
+from planar_cli.report.document.lines import line
+from planar_cli.report.document.marks import Angle, Arc, Arrow, Hatched, Mark, Polyline, Symbol
 
 GROUND = Hatched(((-1.0, 0.0), (3.0, 0.0)))
 BLOCK = Symbol("block", (0.0, 0.0), 0.0)

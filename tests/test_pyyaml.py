@@ -6,7 +6,7 @@ import re
 import subprocess
 import sys
 
-from planar_cli.problem.pyyaml import compiled_when_used
+from planar_cli.problem.nodes.pyyaml import compiled_when_used
 
 LOADED = """
 import re

@@ -6,7 +6,7 @@ import pytest
 import sympy as sp
 from worked import page_of_file
 
-from planar_cli.report.zeros import _waves
+from planar_cli.report.laws.zeros import _waves
 
 PHI, BETA = sp.symbols("phi__1 beta", real=True)
 

@@ -9,10 +9,10 @@ import sympy as sp
 from conftest import ROOT
 from worked import worked
 
-from planar_cli.equation.exact import Valuation
+from planar_cli.equation.values.exact import Valuation
 from planar_cli.formats.terminal import Terminal
-from planar_cli.report.narrate import narrate
-from planar_cli.report.sizes import on_one_side, sizes_of
+from planar_cli.report.notation.sizes import on_one_side, sizes_of
+from planar_cli.report.page.narrate import narrate
 
 
 def _page(name: str) -> str:

@@ -11,7 +11,7 @@ from worked import page_of_file
 from planar_cli.errors import NoSolution
 from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.structure import load
-from planar_cli.report.narrate import narrate
+from planar_cli.report.page.narrate import narrate
 from planar_cli.solve.run import solve_problem
 
 FILE = ROOT / "problems" / "motion" / "speed-that-dies-out-by-its-root.yaml"

@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 import sympy as sp
 
-from planar_cli.equation.exact import Valuation
-from planar_cli.equation.ledger import Ledger
+from planar_cli.equation.values.exact import Valuation
+from planar_cli.equation.values.ledger import Ledger
 from planar_cli.solve.instant.recognised import recognised
 from planar_cli.units import parse_unit
 

@@ -8,7 +8,7 @@ import pytest
 from answered import solve
 
 from planar_cli.errors import NoSolution
-from planar_cli.motion.trajectory import Trajectory
+from planar_cli.motion.trajectory.trajectory import Trajectory
 from planar_cli.problem.structure import load_text
 from planar_cli.simulate.run import Settings, follow, simulate
 

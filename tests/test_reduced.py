@@ -8,10 +8,10 @@ from conftest import ROOT
 from pinned import chain, four_bars, model_of
 
 from planar_cli.integrators.base import Setting, Step
-from planar_cli.motion.drive import drive
-from planar_cli.motion.model import Model
-from planar_cli.motion.reduced import Reduced
-from planar_cli.motion.start import start_of
+from planar_cli.motion.regime.model import Model
+from planar_cli.motion.start.start import start_of
+from planar_cli.motion.trajectory.drive import drive
+from planar_cli.motion.trajectory.reduced import Reduced
 
 SQUEEZER = (ROOT / "problems" / "hard" / "andrews-squeezer.yaml").read_text(encoding="utf-8")
 FREE = """

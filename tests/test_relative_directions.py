@@ -7,7 +7,7 @@ from pathlib import Path
 import sympy as sp
 from worked import page_of_file, page_of_text
 
-from planar_cli.report.origins import components_of, without_number
+from planar_cli.report.words.origins import components_of, without_number
 
 v, w = sp.symbols("v w", real=True)
 

@@ -14,7 +14,7 @@ from answered import Answers, assert_close, solve, somewhere
 from conftest import PROBLEMS, ROOT
 from renamed import nasty_names, random_names, renamed, scene_of, shuffled, written
 
-from planar_cli.equation.sample import generator
+from planar_cli.equation.values.sample import generator
 from planar_cli.solve.solution import Found
 
 SAMPLE = (

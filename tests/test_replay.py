@@ -6,8 +6,8 @@ import pytest
 from conftest import ROOT
 from homework_made import with_known_mistakes
 
-from planar_cli.homework.variants import variants_of
-from planar_cli.homework.worked_problem import base_expected, models_of, read_and_solve, with_numbers
+from planar_cli.homework.variants.variants import variants_of
+from planar_cli.homework.variants.worked_problem import base_expected, models_of, read_and_solve, with_numbers
 from planar_cli.replay.numbers import Replay
 
 SET = ROOT / "tests" / "homework"

@@ -7,8 +7,8 @@ import pytest
 import sympy as sp
 
 from planar_cli.commands._check_set import _print_report, _report_markdown
-from planar_cli.homework.class_report import ClassReport, by_variant
-from planar_cli.homework.paper import RIGHT, UNGRADABLE, WRONG, Graded, Result
+from planar_cli.homework.grading.class_report import ClassReport, by_variant
+from planar_cli.homework.sets.paper import RIGHT, UNGRADABLE, WRONG, Graded, Result
 from planar_cli.replay.equations import Asked, Equations, Step
 from planar_cli.replay.numbers import Replay
 

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from planar_cli.homework.grader import Piece
-from planar_cli.homework.in_order import InOrder
-from planar_cli.homework.results import Line
+from planar_cli.homework.submissions.grader import Piece
+from planar_cli.homework.submissions.in_order import InOrder
+from planar_cli.homework.tasks.results import Line
 
 
 def line(file: str, part: int = 0, parts: int = 1) -> Line:

@@ -10,8 +10,8 @@ from conftest import ROOT
 from worked import worked
 
 from planar_cli.formats.terminal import Terminal
-from planar_cli.homework.checking import read, solve_and_compare
-from planar_cli.report.narrate import narrate
+from planar_cli.homework.checking.checking import read, solve_and_compare
+from planar_cli.report.page.narrate import narrate
 
 ROLLS = (
     "The disk rolls on the floor without slipping: the arc from P to the point of contact has met the floor point by"

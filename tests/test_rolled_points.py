@@ -6,11 +6,11 @@ import sympy as sp
 from conftest import ROOT
 from worked import worked
 
-from planar_cli.equation.exact import Valuation
+from planar_cli.equation.values.exact import Valuation
 from planar_cli.formats.terminal import Terminal
-from planar_cli.problem.geometry import Vec
-from planar_cli.report.narrate import narrate
-from planar_cli.report.rolled_points import in_plain_lengths
+from planar_cli.problem.scene.geometry import Vec
+from planar_cli.report.kinematics.rolled_points import in_plain_lengths
+from planar_cli.report.page.narrate import narrate
 
 NO_DATA = Valuation({})
 

@@ -7,10 +7,10 @@ from decimal import Decimal
 import pytest
 import sympy as sp
 
-from planar_cli.equation.exact import Valuation
-from planar_cli.solve.between.chain import Branch, Chain
-from planar_cli.solve.between.derivation import Route
-from planar_cli.solve.between.route import Router
+from planar_cli.equation.values.exact import Valuation
+from planar_cli.solve.between.roots.chain import Branch, Chain
+from planar_cli.solve.between.route.route import Router
+from planar_cli.solve.between.trace.derivation import Route
 from planar_cli.solve.regimes.equations import Equation
 
 X, Y, Z, T = sp.symbols("x__2 y__2 z__2 t__2", real=True)

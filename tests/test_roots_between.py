@@ -7,7 +7,7 @@ from decimal import Decimal
 import pytest
 import sympy as sp
 
-from planar_cli.equation.exact import Valuation
+from planar_cli.equation.values.exact import Valuation
 from planar_cli.solve.instant.branches import holds_between
 from planar_cli.solve.instant.elimination import Pending, combined, eliminate, subtracted
 

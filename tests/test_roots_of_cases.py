@@ -6,7 +6,7 @@ from conftest import PROBLEMS
 from worked import worked
 
 from planar_cli.formats.terminal import Terminal
-from planar_cli.report.narrate import narrate
+from planar_cli.report.page.narrate import narrate
 
 FILES = {p.stem: p for p in PROBLEMS}
 

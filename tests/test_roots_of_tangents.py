@@ -9,8 +9,8 @@ import pytest
 import sympy as sp
 from worked import page_of_file
 
-from planar_cli.equation.exact import Valuation
-from planar_cli.solve.between.closed import closed_roots
+from planar_cli.equation.values.exact import Valuation
+from planar_cli.solve.between.roots.closed import closed_roots
 
 A = sp.Symbol("alpha", real=True)
 G, D, V = sp.symbols("g d v_0", positive=True)

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from planar_cli.homework.checking import read, solve_and_compare
+from planar_cli.homework.checking.checking import read, solve_and_compare
 
 HOIST = """\
 title: Load lowered by a brake

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from planar_cli.formats.terminal import Terminal
-from planar_cli.report.blocks import Document, Forces, line
+from planar_cli.report.document.blocks import Document, Forces, line
 
 
 @pytest.mark.parametrize(("width", "told"), [

@@ -15,8 +15,8 @@ import pytest
 
 from planar_cli.problem.structure import load
 from planar_cli.simulate.run import Run, Settings, followed, prepared
-from planar_cli.solve.between.followed import Followed
-from planar_cli.solve.between.solved_motion import SolvedMotion
+from planar_cli.solve.between.branches.solved_motion import SolvedMotion
+from planar_cli.solve.between.roots.followed import Followed
 from planar_cli.solve.following.mode_search import ModeSearch
 from planar_cli.solve.regimes.mode_sequence import Workshop
 from planar_cli.solve.regimes.regime import Regime, number_function

@@ -13,9 +13,9 @@ from answered import first, solve
 from conftest import PROBLEMS, ROOT
 from scaled import World, factor_of, scaled
 
-from planar_cli.homework.checking import read
-from planar_cli.problem.ordinary import scales_of
-from planar_cli.problem.scene import Problem
+from planar_cli.homework.checking.checking import read
+from planar_cli.problem.scene.ordinary import scales_of
+from planar_cli.problem.scene.scene import Problem
 from planar_cli.problem.structure import load_text
 from planar_cli.solve.run import solve_problem
 from planar_cli.solve.solution import Found

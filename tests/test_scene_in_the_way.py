@@ -8,11 +8,11 @@ from answered import GUN
 
 from planar_cli.figures.illustrated import figures_of, illustrated
 from planar_cli.formats._on_paper import Scale, in_rows
-from planar_cli.homework.checking import read, solve_and_compare
-from planar_cli.report.blocks import line
-from planar_cli.report.marks import Arrow, Dimension, Mark, Tag
-from planar_cli.report.mentioned import pieces_of
-from planar_cli.report.narrate import narrate
+from planar_cli.homework.checking.checking import read, solve_and_compare
+from planar_cli.report.document.blocks import line
+from planar_cli.report.document.marks import Arrow, Dimension, Mark, Tag
+from planar_cli.report.document.mentioned import pieces_of
+from planar_cli.report.page.narrate import narrate
 
 PUSHED = """
 title: A block that is pushed

@@ -9,9 +9,9 @@ from worked import worked
 
 from planar_cli.figures.illustrated import figures_of, illustrated
 from planar_cli.formats._paper import runs_of
-from planar_cli.report.blocks import Document, Drawing, Heading, Line
-from planar_cli.report.marks import Mark, Polyline, Symbol, Tag
-from planar_cli.report.narrate import narrate
+from planar_cli.report.document.blocks import Document, Drawing, Heading, Line
+from planar_cli.report.document.marks import Mark, Polyline, Symbol, Tag
+from planar_cli.report.page.narrate import narrate
 
 
 def page(stem: str) -> Document:

@@ -9,8 +9,8 @@ import jsonschema
 import pytest
 from conftest import PROBLEMS
 
-from planar_cli.problem.nodes import Mapping, Node, Sequence, read_file, read_text
-from planar_cli.problem.schema import schema
+from planar_cli.problem.nodes.nodes import Mapping, Node, Sequence, read_file, read_text
+from planar_cli.problem.sections.schema import schema
 
 VALIDATOR = jsonschema.Draft7Validator(schema())
 

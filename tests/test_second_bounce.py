@@ -5,7 +5,7 @@ from __future__ import annotations
 import sympy as sp
 from worked import page_of_file
 
-from planar_cli.report.by_ratio import by_ratio
+from planar_cli.report.notation.by_ratio import by_ratio
 
 E, H, D = sp.symbols("e h d", positive=True)
 

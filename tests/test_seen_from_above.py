@@ -9,8 +9,8 @@ from test_figures_bodies import drawings as of_file
 
 from planar_cli.figures.illustrated import figures_of, illustrated
 from planar_cli.problem.structure import load_text
-from planar_cli.report.marks import Figure, Hatched, Polyline, Span, Symbol, Tag
-from planar_cli.report.narrate import narrate
+from planar_cli.report.document.marks import Figure, Hatched, Polyline, Span, Symbol, Tag
+from planar_cli.report.page.narrate import narrate
 from planar_cli.solve.run import solve_problem
 
 ROAD = """

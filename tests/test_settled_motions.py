@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from planar_cli.errors import FileProblem, NoSolution
-from planar_cli.problem.scene import Problem
+from planar_cli.problem.scene.scene import Problem
 from planar_cli.problem.structure import load
 from planar_cli.simulate.run import Settings, Simulation, simulate
 

@@ -6,7 +6,7 @@ import pytest
 from answered import first, solve
 
 from planar_cli.errors import NoSolution
-from planar_cli.motion.sharing import best_share
+from planar_cli.motion.regime.sharing import best_share
 
 BLOCKS = """
 title: Two blocks on a floor with a rope and a pulley

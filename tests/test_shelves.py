@@ -12,8 +12,8 @@ from typing import Any
 import pytest
 
 from planar_cli.manual import explanation
-from planar_cli.problem.keys import keys_of
-from planar_cli.problem.scene import Problem
+from planar_cli.problem.scene.keys import keys_of
+from planar_cli.problem.scene.scene import Problem
 from planar_cli.problem.structure import load_text
 from planar_cli.registry import members, modules
 from planar_cli.solve.run import solve_problem

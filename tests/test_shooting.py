@@ -9,7 +9,7 @@ from math import atan, degrees, sqrt
 import pytest
 
 from planar_cli.errors import NoSolution
-from planar_cli.problem.scene import Problem
+from planar_cli.problem.scene.scene import Problem
 from planar_cli.problem.structure import load_text
 from planar_cli.simulate import shooting as module
 from planar_cli.simulate.run import Run

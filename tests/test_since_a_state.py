@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from planar_cli.formats.terminal import Terminal
-from planar_cli.homework.checking import read, solve_and_compare
-from planar_cli.report.narrate import narrate
+from planar_cli.homework.checking.checking import read, solve_and_compare
+from planar_cli.report.page.narrate import narrate
 
 FILE = """\
 title: Ball that bounces off a rough slope

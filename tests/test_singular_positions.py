@@ -8,11 +8,11 @@ import pytest
 import sympy as sp
 from answered import Answers, assert_close, first, solve
 
-from planar_cli.equation.exact import PI, Valuation
+from planar_cli.equation.values.exact import PI, Valuation
 from planar_cli.errors import FileProblem
 from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.structure import load_text
-from planar_cli.report.narrate import narrate
+from planar_cli.report.page.narrate import narrate
 from planar_cli.solve.instant.pivots import easiest
 from planar_cli.solve.run import solve_problem
 

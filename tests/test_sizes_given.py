@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from worked import page_of_file
 
-from planar_cli.report.spoken import begun
+from planar_cli.report.words.spoken import begun
 
 
 def test_the_sum_stands_before_its_components() -> None:

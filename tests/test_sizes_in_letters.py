@@ -11,11 +11,11 @@ import pytest
 import sympy as sp
 from worked import page_of_file
 
-from planar_cli.equation.bounds import certain_sign, with_certain_signs
+from planar_cli.equation.algebra.bounds import certain_sign, with_certain_signs
 from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.structure import load
-from planar_cli.report.narrate import narrate
-from planar_cli.report.sizes import with_signs
+from planar_cli.report.notation.sizes import with_signs
+from planar_cli.report.page.narrate import narrate
 from planar_cli.solve.run import solve_problem
 from planar_cli.solve.solved_problem import PartSolution
 

@@ -16,8 +16,8 @@ from planar_cli.formats._drawn_small import _text, small_drawing
 from planar_cli.formats._small_plot import small_plot
 from planar_cli.formats._svg import unlabelled
 from planar_cli.plain_letters import in_plain
-from planar_cli.report.blocks import Name, line
-from planar_cli.report.graphs import Curve, Graph, Scaled
+from planar_cli.report.document.blocks import Name, line
+from planar_cli.report.document.graphs import Curve, Graph, Scaled
 from planar_cli.simulate.columns import in_width, wrapped
 
 

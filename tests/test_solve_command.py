@@ -202,7 +202,7 @@ def test_failures(run: Any, monkeypatch: pytest.MonkeyPatch, error: Exception, s
     def fail(*_: object) -> None:
         raise error
 
-    monkeypatch.setattr("planar_cli.homework.checking.solve_problem", fail)
+    monkeypatch.setattr("planar_cli.homework.checking.checking.solve_problem", fail)
     monkeypatch.delenv("PLANAR_DEBUG", raising=False)
     ran = run("solve good.yaml --format json")
     assert ran.status == status
@@ -220,7 +220,7 @@ def test_the_method_is_passed_on(run: Any, monkeypatch: pytest.MonkeyPatch) -> N
         asked.append(method)
         raise Undecided("enough")
 
-    monkeypatch.setattr("planar_cli.homework.checking.solve_problem", note)
+    monkeypatch.setattr("planar_cli.homework.checking.checking.solve_problem", note)
     run("solve good.yaml")
     run("solve good.yaml --method energy")
     assert asked == [None, "energy"]
@@ -240,7 +240,7 @@ def test_time_limit() -> None:
 
 
 def test_time_limit_on_the_command_line(run: Any, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("planar_cli.homework.checking.solve_problem", hang)
+    monkeypatch.setattr("planar_cli.homework.checking.checking.solve_problem", hang)
     ran = run("solve good.yaml --timeout 0.2")
     assert ran.status == 3
     assert "not decided within 0.2 s: the file was being worked on; --timeout allows more" in ran.err

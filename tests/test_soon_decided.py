@@ -9,8 +9,8 @@ import pytest
 import sympy as sp
 from answered import first, solve
 
-from planar_cli.equation.exact import Valuation
-from planar_cli.equation.quadrature import breaks
+from planar_cli.equation.algebra.quadrature import breaks
+from planar_cli.equation.values.exact import Valuation
 from planar_cli.errors import Diagnostic, NoSolution, Undecided
 from planar_cli.solve.instant.roots import real_roots
 

@@ -9,8 +9,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from planar_cli.motion.source import Check, Singular, compiled
-from planar_cli.motion.terms import Graph, Term, evaluate
+from planar_cli.motion.terms.source import Check, Singular, compiled
+from planar_cli.motion.terms.terms import Graph, Term, evaluate
 
 PARTS = st.recursive(
     st.sampled_from(["x", "y", "t", "2.0", "-0.5"]),

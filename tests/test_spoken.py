@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from planar_cli.report.blocks import Name, Text
-from planar_cli.report.spoken import spoken
+from planar_cli.report.document.blocks import Name, Text
+from planar_cli.report.words.spoken import spoken
 
 
 @pytest.mark.parametrize(("stated", "said"), [

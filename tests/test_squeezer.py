@@ -6,7 +6,7 @@ import pytest
 from conftest import ROOT
 from pinned import chain, followed, four_bars, model_of
 
-from planar_cli.motion.start import start_of
+from planar_cli.motion.start.start import start_of
 
 SQUEEZER = (ROOT / "problems" / "hard" / "andrews-squeezer.yaml").read_text(encoding="utf-8")
 BETA, GAMMA, DELTA, EPSILON = -0.0617138900142764496, 0.455279819163070380, 0.487364979543842550, 1.23054744454982119

@@ -9,9 +9,9 @@ import pytest
 from answered import BARS_IN_A_LOOP
 
 from planar_cli.errors import PlanarError
-from planar_cli.motion.model import Model
-from planar_cli.motion.scene import MovingScene
-from planar_cli.motion.start import Start, start_of
+from planar_cli.motion.regime.model import Model
+from planar_cli.motion.scene.scene import MovingScene
+from planar_cli.motion.start.start import Start, start_of
 from planar_cli.problem.structure import load
 
 FOUR_BAR = BARS_IN_A_LOOP.format(A="[0, 0]", B="[0, 1 m]", C="[2 m, 1.5 m]", D="[2 m, 0]", mass="2 kg")

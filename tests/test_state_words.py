@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from planar_cli.report.state_words import at, place, turning
+from planar_cli.report.words.state_words import at, place, turning
 from planar_cli.solve.law import IN_THE_END
 
 

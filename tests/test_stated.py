@@ -9,9 +9,9 @@ import pytest
 from answered import assert_close, solve, solved
 
 from planar_cli.errors import FileProblem, NoSolution
-from planar_cli.homework.checking import read
+from planar_cli.homework.checking.checking import read
 from planar_cli.registry import members
-from planar_cli.report.narrate import narrate
+from planar_cli.report.page.narrate import narrate
 from planar_cli.solve.run import solve_problem
 
 CRATE = """

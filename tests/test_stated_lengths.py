@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 from test_figures_bodies import drawings
 
-from planar_cli.report.lines import Value
-from planar_cli.report.marks import Dimension
+from planar_cli.report.document.lines import Value
+from planar_cli.report.document.marks import Dimension
 
 
 @pytest.mark.parametrize(

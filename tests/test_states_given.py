@@ -9,14 +9,14 @@ from conftest import PROBLEMS
 from worked import page_of_file
 
 from planar_cli.formats.terminal import Terminal
-from planar_cli.problem.expression import Relation
-from planar_cli.problem.scene import Problem
+from planar_cli.problem.language.expression import Relation
+from planar_cli.problem.scene.scene import Problem
 from planar_cli.problem.structure import load, load_text
-from planar_cli.report.blocks import Line, Name, Text, Value
-from planar_cli.report.given_states import laws_given, states_given
-from planar_cli.report.names import plain_name
-from planar_cli.report.narrate import narrate
-from planar_cli.report.numbers import quantity
+from planar_cli.report.document.blocks import Line, Name, Text, Value
+from planar_cli.report.given.given_states import laws_given, states_given
+from planar_cli.report.notation.names import plain_name
+from planar_cli.report.notation.numbers import quantity
+from planar_cli.report.page.narrate import narrate
 from planar_cli.solve.run import solve_problem
 
 SYNTAX = re.compile(r"[@*^]|->|\.(?:x|y|mag|angle|along|across)\b|\bplace \d|\b[a-z_A-Z]+\([A-Za-z_]+(?:/\w+)?\)")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 import sympy as sp
 
-from planar_cli.report.static_roots import with_static_roots
+from planar_cli.report.notation.static_roots import with_static_roots
 
 M, G, K, H = sp.symbols("m g k h", positive=True)
 X = sp.Symbol("x", real=True)

@@ -9,7 +9,7 @@ from conftest import PROBLEMS
 from worked import page_of_file, worked
 
 from planar_cli.formats.terminal import Terminal
-from planar_cli.report.narrate import Voice, narrate
+from planar_cli.report.page.narrate import Voice, narrate
 
 
 @pytest.mark.parametrize("told", [

@@ -5,9 +5,9 @@ from __future__ import annotations
 from conftest import PROBLEMS
 from worked import worked
 
-from planar_cli.report.blocks import Block, Heading, Paragraph, line
-from planar_cli.report.narrate import narrate
-from planar_cli.report.steps import SOLVING, without_ritual
+from planar_cli.report.document.blocks import Block, Heading, Paragraph, line
+from planar_cli.report.equations.steps import SOLVING, without_ritual
+from planar_cli.report.page.narrate import narrate
 
 FILES = {p.stem: p for p in PROBLEMS}
 

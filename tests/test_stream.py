@@ -13,7 +13,7 @@ from answered import Answers, assert_close, solve
 
 from planar_cli.errors import FileProblem, NoSolution
 from planar_cli.problem.structure import load_text
-from planar_cli.report.narrate import Voice, narrate
+from planar_cli.report.page.narrate import Voice, narrate
 from planar_cli.solve.run import solve_problem
 
 BEND = """

@@ -14,9 +14,9 @@ from planar_cli.joints.pin import Pin
 from planar_cli.joints.rope import Rope
 from planar_cli.loads.force import Force
 from planar_cli.manual import pages
-from planar_cli.problem.expression import AtRest, Name, Number, Relation
-from planar_cli.problem.keys import RopeStop, Table
-from planar_cli.problem.scene import At, Composite, Particle, Polar, Problem, Rod, Round, TwoFacts
+from planar_cli.problem.language.expression import AtRest, Name, Number, Relation
+from planar_cli.problem.scene.keys import RopeStop, Table
+from planar_cli.problem.scene.scene import At, Composite, Particle, Polar, Problem, Rod, Round, TwoFacts
 from planar_cli.problem.structure import load, load_text
 
 

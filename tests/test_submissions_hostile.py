@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from planar_cli.homework.submissions import contents, submissions
+from planar_cli.homework.submissions.submissions import contents, submissions
 
 ALIASES = "a: &a [x]\n" + "".join(
     f"{chr(98 + i)}: &{chr(98 + i)} [{', '.join([f'*{chr(97 + i)}'] * 9)}]\n" for i in range(9)

@@ -9,9 +9,9 @@ from pathlib import Path
 import pytest
 
 from planar_cli.errors import PlanarError
-from planar_cli.homework.paper import Submission
-from planar_cli.homework.submissions import contents, passed_over, submission_files, submissions
-from planar_cli.homework.submitted import with_unit
+from planar_cli.homework.sets.paper import Submission
+from planar_cli.homework.submissions.submissions import contents, passed_over, submission_files, submissions
+from planar_cli.homework.submissions.submitted import with_unit
 
 
 def read(folder: Path, name: str, text: str | bytes) -> tuple[Submission, ...]:
@@ -329,7 +329,6 @@ def test_names_that_are_not_there(tmp_path: Path) -> None:
 
 
 def test_reading_needs_no_solver() -> None:
-    code = (
-        "import sys, planar_cli.homework.grader; print([m for m in ('sympy', 'numpy', 'mpmath') if m in sys.modules])"
-    )
+    loaded = "[m for m in ('sympy', 'numpy', 'mpmath') if m in sys.modules]"
+    code = f"import sys, planar_cli.homework.submissions.grader; print({loaded})"
     assert subprocess.check_output([sys.executable, "-c", code], text=True) == "[]\n"

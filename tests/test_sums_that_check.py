@@ -8,8 +8,8 @@ from decimal import Decimal
 import pytest
 from worked import page_of_file
 
-from planar_cli.report.component_sums import sum_of_products
-from planar_cli.report.notation import plain
+from planar_cli.report.kinematics.component_sums import sum_of_products
+from planar_cli.report.notation.notation import plain
 
 
 def _sides(found: re.Match[str] | None) -> list[tuple[float, float]]:

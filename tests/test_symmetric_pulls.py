@@ -7,8 +7,8 @@ from pathlib import Path
 from worked import page_of_file, page_of_text
 
 from planar_cli.formats.terminal import Terminal
-from planar_cli.homework.checking import read, solve_and_compare
-from planar_cli.report.narrate import narrate
+from planar_cli.homework.checking.checking import read, solve_and_compare
+from planar_cli.report.page.narrate import narrate
 
 
 def test_two_cables_in_symmetry() -> None:

@@ -9,8 +9,8 @@ import pytest
 import sympy as sp
 
 from planar_cli.errors import FileProblem
-from planar_cli.homework.checking import read
-from planar_cli.report.notation import latex, plain
+from planar_cli.homework.checking.checking import read
+from planar_cli.report.notation.notation import latex, plain
 from planar_cli.solve.run import solve_problem
 
 CART = """

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from planar_cli.motion.terms import Graph, Term, evaluate
+from planar_cli.motion.terms.terms import Graph, Term, evaluate
 
 FORMULAS = [
     "x*y",

@@ -11,13 +11,13 @@ from planar_cli.cli import run
 from planar_cli.commands._handed_out import page
 from planar_cli.formats.markdown import Markdown
 from planar_cli.homework.exports._text import paragraphs
-from planar_cli.homework.paper import Expected, Paper, Task
-from planar_cli.homework.ready import Homework
-from planar_cli.homework.sheets import handed
-from planar_cli.problem.show import paragraphs_of
+from planar_cli.homework.sets.paper import Expected, Paper, Task
+from planar_cli.homework.sets.ready import Homework
+from planar_cli.homework.sets.sheets import handed
+from planar_cli.problem.nodes.show import paragraphs_of
 from planar_cli.problem.structure import load_text
-from planar_cli.report.handed_out import sheet
-from planar_cli.report.narrate import Voice, narrate
+from planar_cli.report.document.handed_out import sheet
+from planar_cli.report.page.narrate import Voice, narrate
 from planar_cli.solve.run import solve_problem
 
 TWO = """\

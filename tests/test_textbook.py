@@ -13,7 +13,7 @@ from conftest import PROBLEMS
 from worked import name_of, worked
 
 from planar_cli.formats.json import dumps
-from planar_cli.report.json_document import solution_data
+from planar_cli.report.page.json_document import solution_data
 from planar_cli.units import parse_unit
 
 TEXTBOOK = [p for p in PROBLEMS if p.parent.name == "textbook"]

@@ -11,11 +11,11 @@ from conftest import PROBLEMS
 from worked import page_of_file, worked
 
 from planar_cli.formats.terminal import Terminal
-from planar_cli.report.blocks import Equation, Heading, Math, Name, Paragraph, Value, line
-from planar_cli.report.components_listed import with_components_listed
-from planar_cli.report.narrate import Voice, narrate
-from planar_cli.report.results import told_by_others
-from planar_cli.report.sizes_listed import with_sizes_listed
+from planar_cli.report.answers.sizes_listed import with_sizes_listed
+from planar_cli.report.document.blocks import Equation, Heading, Math, Name, Paragraph, Value, line
+from planar_cli.report.equations.results import told_by_others
+from planar_cli.report.page.narrate import Voice, narrate
+from planar_cli.report.repeats.components_listed import with_components_listed
 
 CHAIN_5 = "Likewise with BC as well, about B; then AB about A; then OA about O: (13) to (15)"
 

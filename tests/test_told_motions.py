@@ -8,8 +8,8 @@ from answered import BRAKED, BUFFER
 
 from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.structure import load_text
-from planar_cli.report.narrate import narrate
-from planar_cli.report.origins import kept
+from planar_cli.report.page.narrate import narrate
+from planar_cli.report.words.origins import kept
 from planar_cli.solve.run import solve_problem
 
 BRAKE = (

@@ -6,9 +6,9 @@ import pytest
 import sympy as sp
 from worked import page_of_file
 
-from planar_cli.equation.ledger import Ledger
-from planar_cli.report.notation import plain
-from planar_cli.report.total_masses import with_totals
+from planar_cli.equation.values.ledger import Ledger
+from planar_cli.report.notation.notation import plain
+from planar_cli.report.notation.total_masses import with_totals
 
 LEDGER = Ledger()
 m_1, m_2, m_3 = (LEDGER.letter(name, "kg") for name in ("m_1", "m_2", "m_3"))

@@ -6,8 +6,8 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.report.blocks import Block, Check, Equation, Math, Paragraph, Value, line
-from planar_cli.report.turning_rates import with_turning_rates
+from planar_cli.report.document.blocks import Block, Check, Equation, Math, Paragraph, Value, line
+from planar_cli.report.page.turning_rates import with_turning_rates
 
 ALPHA, RATE, SECOND = (sp.Symbol(x, real=True) for x in ("alpha", "theta_dot", "theta_ddot"))
 NUMBER = Value(Decimal("0.1667"), "rad/s^2")

@@ -19,7 +19,7 @@ import sympy as sp
 from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
 
-from planar_cli.equation.exact import Valuation
+from planar_cli.equation.values.exact import Valuation
 from planar_cli.errors import FileProblem
 from planar_cli.problem.structure import load_text
 from planar_cli.solve.run import solve_problem

@@ -6,10 +6,10 @@ import math
 
 import pytest
 
-from planar_cli.homework.typed import read
-from planar_cli.homework.typed_formula import same_equation, same_formula
-from planar_cli.homework.unreadable import Unreadable
-from planar_cli.homework.written_numbers import significant
+from planar_cli.homework.typed.typed import read
+from planar_cli.homework.typed.typed_formula import same_equation, same_formula
+from planar_cli.homework.typed.unreadable import Unreadable
+from planar_cli.homework.typed.written_numbers import significant
 
 LETTERS = (("m", "kg"), ("g", "m/s^2"), ("beta", "deg"), ("mu", "1"))
 RIGHT = "m*g*(sin(beta) - mu*cos(beta))"

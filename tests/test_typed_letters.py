@@ -6,11 +6,11 @@ from dataclasses import replace
 
 import pytest
 
-from planar_cli.homework.grading import grade
-from planar_cli.homework.paper import Expected, Graded, Paper, Submission, Task
-from planar_cli.homework.rules import Rules
-from planar_cli.homework.typed_letters import readings
-from planar_cli.homework.unreadable import Unreadable
+from planar_cli.homework.grading.grading import grade
+from planar_cli.homework.sets.paper import Expected, Graded, Paper, Submission, Task
+from planar_cli.homework.sets.rules import Rules
+from planar_cli.homework.typed.typed_letters import readings
+from planar_cli.homework.typed.unreadable import Unreadable
 
 LETTERS = (("g", "m/s^2"), ("l", "m"))
 OTHERS = (("m", "kg"), ("beta", "deg"), ("m_1", "kg"), ("e", "1"))

@@ -8,7 +8,7 @@ import pytest
 
 from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.structure import load_text
-from planar_cli.report.narrate import narrate
+from planar_cli.report.page.narrate import narrate
 from planar_cli.simulate.run import Settings, simulate
 from planar_cli.solve.run import solve_problem
 from planar_cli.solve.solved_problem import PartSolution

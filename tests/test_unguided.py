@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 from test_figures_bodies import drawings
 
-from planar_cli.report.blocks import Name, line
-from planar_cli.report.marks import Arrow, Dimension, Hatched, Polyline, Slot, Span, Spot, Symbol, Tag
+from planar_cli.report.document.blocks import Name, line
+from planar_cli.report.document.marks import Arrow, Dimension, Hatched, Polyline, Slot, Span, Spot, Symbol, Tag
 
 
 @pytest.mark.parametrize("name", ["energy/weight-dropped-on-nested-springs", "oscillations/block-hung-on-a-spring"])

@@ -13,14 +13,14 @@ from conftest import ROOT
 from printed import Page, equations
 from worked import name_of, worked
 
-from planar_cli.homework.checking import solve_and_compare
-from planar_cli.problem.customary import ATOM, NEUTRAL_ATOMS, US_ATOMS
+from planar_cli.homework.checking.checking import solve_and_compare
+from planar_cli.problem.implied.customary import ATOM, NEUTRAL_ATOMS, US_ATOMS
 from planar_cli.problem.structure import load_text
-from planar_cli.report.blocks import Equation, Math, Text, Value
-from planar_cli.report.motion import MotionTelling
-from planar_cli.report.motion_phrases import motion_phrases
-from planar_cli.report.narrate import Voice, narrate
-from planar_cli.report.notation import plain
+from planar_cli.report.document.blocks import Equation, Math, Text, Value
+from planar_cli.report.motion.motion import MotionTelling
+from planar_cli.report.notation.notation import plain
+from planar_cli.report.page.narrate import Voice, narrate
+from planar_cli.report.words.motion_phrases import motion_phrases
 from planar_cli.solve.solved_problem import Solution
 
 IN_FEET = re.compile(r"\d[* ]*(?:lbf|lb|ft)\b")

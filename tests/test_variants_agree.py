@@ -13,18 +13,18 @@ import sympy as sp
 from conftest import ROOT
 from homework_made import set_of, with_known_mistakes
 
-from planar_cli.homework.carried_errors import Carrier
-from planar_cli.homework.course import course_of
-from planar_cli.homework.fit_variants import in_equations
+from planar_cli.homework.grading.carried_errors import Carrier
 from planar_cli.homework.homework import prepared
-from planar_cli.homework.named_mistakes import OFF_BY_TEN
-from planar_cli.homework.ready import Prepared
-from planar_cli.homework.rules import Rules
-from planar_cli.homework.solved_anew import to_check
-from planar_cli.homework.tolerance_report import tolerance_report
-from planar_cli.homework.variant_draws import Draw
-from planar_cli.homework.variants import Variant, columns, variations
-from planar_cli.homework.worked_problem import (
+from planar_cli.homework.sets.powers_of_ten import OFF_BY_TEN
+from planar_cli.homework.sets.ready import Prepared
+from planar_cli.homework.sets.rules import Rules
+from planar_cli.homework.variants.course import course_of
+from planar_cli.homework.variants.fit_variants import in_equations
+from planar_cli.homework.variants.solved_anew import to_check
+from planar_cli.homework.variants.tolerance_report import tolerance_report
+from planar_cli.homework.variants.variant_draws import Draw
+from planar_cli.homework.variants.variants import Variant, columns, variations
+from planar_cli.homework.variants.worked_problem import (
     Carried,
     WorkedProblem,
     base_expected,

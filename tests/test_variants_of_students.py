@@ -9,7 +9,7 @@ import pytest
 from homework_made import SLOPE, set_of
 
 from planar_cli.homework.homework import prepared
-from planar_cli.homework.set_file import HomeworkSet
+from planar_cli.homework.sets.set_file import HomeworkSet
 
 VARIED = f"""{SLOPE}
 variants: {{beta: [30 deg, 5 deg, 35 deg], m: [2 kg, 3 kg]}}

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import pytest
 
-from planar_cli.homework.variant_draws import draws
-from planar_cli.problem.nodes import read_text
-from planar_cli.problem.reading import Report
+from planar_cli.homework.variants.variant_draws import draws
+from planar_cli.problem.nodes.nodes import read_text
+from planar_cli.problem.nodes.reading import Report
+from planar_cli.problem.sections.variations import variations_of, with_values, written
 from planar_cli.problem.structure import load_text
-from planar_cli.problem.variations import variations_of, with_values, written
 
 FILE = """plane: horizontal
 given: {GIVEN}

@@ -10,9 +10,9 @@ from worked import worked
 
 from planar_cli.calculus.vibrations import Vibration
 from planar_cli.formats.terminal import Terminal
-from planar_cli.report.motion import MotionTelling
-from planar_cli.report.motion_phrases import motion_phrases
-from planar_cli.report.narrate import narrate
+from planar_cli.report.motion.motion import MotionTelling
+from planar_cli.report.page.narrate import narrate
+from planar_cli.report.words.motion_phrases import motion_phrases
 
 FILES = (
     "oscillations/damped-block-three-ways",

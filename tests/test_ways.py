@@ -6,9 +6,9 @@ import sympy as sp
 from conftest import ROOT
 from worked import worked
 
-from planar_cli.equation.one_way import one_way
+from planar_cli.equation.values.one_way import one_way
 from planar_cli.formats.terminal import Terminal
-from planar_cli.report.narrate import narrate
+from planar_cli.report.page.narrate import narrate
 
 
 def page(name: str) -> str:

@@ -9,7 +9,7 @@ import sympy as sp
 
 from planar_cli.formats._layout import fill, spans
 from planar_cli.formats.terminal import Terminal
-from planar_cli.report.blocks import Document, Equation, Inline, Line, Math, Name, Value, line
+from planar_cli.report.document.blocks import Document, Equation, Inline, Line, Math, Name, Value, line
 
 R, H, M, N = sp.symbols("R r m n", positive=True)
 

@@ -7,8 +7,8 @@ from decimal import Decimal
 import sympy as sp
 from worked import page_of_file
 
-from planar_cli.equation.exact import Valuation
-from planar_cli.report.whole_roots import with_whole_roots
+from planar_cli.equation.values.exact import Valuation
+from planar_cli.report.notation.whole_roots import with_whole_roots
 
 
 def test_the_centre_straight_above_the_edge_is_at_the_distance_of_the_radius() -> None:

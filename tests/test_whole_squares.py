@@ -6,7 +6,7 @@ import pytest
 import sympy as sp
 from worked import page_of_file
 
-from planar_cli.report.whole_squares import whole_square, without_sign
+from planar_cli.report.notation.whole_squares import whole_square, without_sign
 
 V, R, B = sp.symbols("v R b", positive=True)
 

@@ -14,11 +14,11 @@ import pytest
 from automata import Always, Condition, Law, Scene, modes
 
 from planar_cli.integrators.base import Setting
-from planar_cli.motion.automaton import Choice, Start
-from planar_cli.motion.complementarity import solved
-from planar_cli.motion.follow import Follower
-from planar_cli.motion.impact import StruckContact
-from planar_cli.motion.schedule import Schedule
+from planar_cli.motion.follow.follow import Follower
+from planar_cli.motion.terms.complementarity import solved
+from planar_cli.motion.trajectory.automaton import Choice, Start
+from planar_cli.motion.trajectory.impact import StruckContact
+from planar_cli.motion.trajectory.schedule import Schedule
 
 GRAVITY, MU = 9.81, 0.3
 R_O, R_M, H_M, L_M, L_G, H_S, L_S = 0.0025, 0.0031, 0.0058, 0.010, 0.015, 0.02, 0.0201

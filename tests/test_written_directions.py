@@ -8,8 +8,8 @@ import pytest
 from answered import Answers, first, solve
 
 from planar_cli.errors import NoSolution
+from planar_cli.problem.implied.written_directions import ORIGIN, WrittenDirections
 from planar_cli.problem.structure import load_text
-from planar_cli.problem.written_directions import ORIGIN, WrittenDirections
 from planar_cli.simulate.run import Settings, simulate
 
 ROD = """

@@ -11,9 +11,9 @@ from pathlib import Path
 from conftest import HELD, PROBLEMS, ROOT
 
 from planar_cli.formats.terminal import Terminal
-from planar_cli.homework.checking import read, solve_and_compare
-from planar_cli.homework.verdict import Verdict
-from planar_cli.report.narrate import narrate
+from planar_cli.homework.checking.checking import read, solve_and_compare
+from planar_cli.homework.checking.verdict import Verdict
+from planar_cli.report.page.narrate import narrate
 from planar_cli.solve.solved_problem import Solution
 
 GOLDEN = ROOT / "tests" / "golden"

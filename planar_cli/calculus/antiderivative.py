@@ -12,10 +12,10 @@ import sympy as sp
 from planar_cli.calculus.deciding import confirmed, sign, vanishes
 from planar_cli.calculus.forcing import particular
 from planar_cli.calculus.pieces import pieces
-from planar_cli.equation.cancelling import cancelled
-from planar_cli.equation.exact import Valuation
-from planar_cli.equation.expansion import expanded
-from planar_cli.equation.plain import MANY, longer, simplified
+from planar_cli.equation.algebra.cancelling import cancelled
+from planar_cli.equation.algebra.expansion import expanded
+from planar_cli.equation.algebra.plain import MANY, longer, simplified
+from planar_cli.equation.values.exact import Valuation
 
 DEPTH = 5
 MOST_TRIED, MOST_TERMS = 6, 24

@@ -13,9 +13,9 @@ import sympy as sp
 from planar_cli.calculus.antiderivative import definite
 from planar_cli.calculus.deciding import confirmed, sign
 from planar_cli.calculus.spans import bound
-from planar_cli.equation.exact import Valuation
-from planar_cli.equation.expansion import expanded
-from planar_cli.equation.plain import simplified
+from planar_cli.equation.algebra.expansion import expanded
+from planar_cli.equation.algebra.plain import simplified
+from planar_cli.equation.values.exact import Valuation
 from planar_cli.records import record
 
 

@@ -12,10 +12,10 @@ from planar_cli.calculus.curve_plain import plainer
 from planar_cli.calculus.curve_polar import inverted
 from planar_cli.calculus.curve_waves import eliminated
 from planar_cli.calculus.curve_words import CURVE, HYPERBOLA, LINE, PARABOLA, Curve, Step
-from planar_cli.equation.cancelling import cancelled
-from planar_cli.equation.common_factors import together
-from planar_cli.equation.expansion import expanded
-from planar_cli.equation.plain import MANY, longer
+from planar_cli.equation.algebra.cancelling import cancelled
+from planar_cli.equation.algebra.common_factors import together
+from planar_cli.equation.algebra.expansion import expanded
+from planar_cli.equation.algebra.plain import MANY, longer
 
 HIGHEST_POWER = 6
 

@@ -14,11 +14,11 @@ import sympy as sp
 from planar_cli.calculus.curve_plain import hidden, plainer, rationally
 from planar_cli.calculus.curve_trial import Trial
 from planar_cli.calculus.curve_words import CIRCLE, CONIC, ELLIPSE, HYPERBOLA, LINE, PARABOLA, Curve
-from planar_cli.equation.cancelling import cancelled
-from planar_cli.equation.common_factors import together
-from planar_cli.equation.counting import operations
-from planar_cli.equation.expansion import expanded
-from planar_cli.equation.plain import MANY, longer
+from planar_cli.equation.algebra.cancelling import cancelled
+from planar_cli.equation.algebra.common_factors import together
+from planar_cli.equation.algebra.counting import operations
+from planar_cli.equation.algebra.expansion import expanded
+from planar_cli.equation.algebra.plain import MANY, longer
 from planar_cli.records import record
 
 FACTORED = 60

@@ -14,7 +14,7 @@ import sympy as sp
 from planar_cli.calculus.curve_conics import Plane, conic
 from planar_cli.calculus.curve_trial import Trial
 from planar_cli.calculus.curve_words import CURVE, LINE, POINT, Curve
-from planar_cli.equation.exact import ONE, PI, ZERO, Valuation
+from planar_cli.equation.values.exact import ONE, PI, ZERO, Valuation
 
 CLOSE = Decimal("1e-20")
 LEAST = 12

@@ -13,11 +13,11 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.equation.cancelling import cancelled
-from planar_cli.equation.common_factors import factor_terms, together
-from planar_cli.equation.counting import operations
-from planar_cli.equation.expansion import expanded
-from planar_cli.equation.plain import longer
+from planar_cli.equation.algebra.cancelling import cancelled
+from planar_cli.equation.algebra.common_factors import factor_terms, together
+from planar_cli.equation.algebra.counting import operations
+from planar_cli.equation.algebra.expansion import expanded
+from planar_cli.equation.algebra.plain import longer
 
 LONG = 100
 """Longer expressions stay as they are."""

@@ -13,9 +13,9 @@ from planar_cli.calculus.curve_conics import Plane, root_of
 from planar_cli.calculus.curve_plain import plainer
 from planar_cli.calculus.curve_waves import Waves, linear, without_tan
 from planar_cli.calculus.curve_words import CURVE, Curve, Step
-from planar_cli.equation.counting import operations
-from planar_cli.equation.expansion import expanded
-from planar_cli.equation.plain import MANY, longer
+from planar_cli.equation.algebra.counting import operations
+from planar_cli.equation.algebra.expansion import expanded
+from planar_cli.equation.algebra.plain import MANY, longer
 
 HALF_ARCH = (0.02, 3.12)
 """Where the equation of a cycloid is tried: the angle from the lowest place, within half a turn."""

@@ -12,8 +12,8 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.equation.exact import Unvalued, Valuation
-from planar_cli.equation.sample import generator
+from planar_cli.equation.values.exact import Unvalued, Valuation
+from planar_cli.equation.values.sample import generator
 
 DRAWS = 3
 SIGN_DRAWS = 10

@@ -20,10 +20,10 @@ from planar_cli.calculus.curve_conics import (
 )
 from planar_cli.calculus.curve_plain import hidden, plainer
 from planar_cli.calculus.curve_words import CURVE, ELLIPSE, PARABOLA, Curve, Step
-from planar_cli.equation.cancelling import cancelled
-from planar_cli.equation.common_factors import factor_terms, together
-from planar_cli.equation.expansion import expanded
-from planar_cli.equation.plain import MANY, longer
+from planar_cli.equation.algebra.cancelling import cancelled
+from planar_cli.equation.algebra.common_factors import factor_terms, together
+from planar_cli.equation.algebra.expansion import expanded
+from planar_cli.equation.algebra.plain import MANY, longer
 from planar_cli.records import record
 
 C, S = sp.Dummy("c"), sp.Dummy("s")

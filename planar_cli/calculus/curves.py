@@ -23,8 +23,8 @@ from planar_cli.calculus.curve_polar import involute, lissajous, polar, trochoid
 from planar_cli.calculus.curve_trial import Trial
 from planar_cli.calculus.curve_waves import Waves, ellipse, halved, one_wave, rational, resultant, waves_of
 from planar_cli.calculus.curve_words import CONIC, CURVE, POINT, Curve, Step
-from planar_cli.equation.exact import Valuation
-from planar_cli.equation.plain import longer
+from planar_cli.equation.algebra.plain import longer
+from planar_cli.equation.values.exact import Valuation
 
 PATH_AXES = ("x", "y")
 POLAR = ("r", "theta")

@@ -6,9 +6,9 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.exact import Valuation
-from planar_cli.equation.plain import MANY, identically_zero, longer
-from planar_cli.equation.sample import generator
+from planar_cli.equation.algebra.plain import MANY, identically_zero, longer
+from planar_cli.equation.values.exact import Valuation
+from planar_cli.equation.values.sample import generator
 
 CONFIRMED, DRAWS = 2, 16
 """So many points must confirm a closed form, of so many that are tried."""

@@ -13,9 +13,9 @@ from math import comb, factorial
 import sympy as sp
 
 from planar_cli.calculus.deciding import vanishes
-from planar_cli.equation.exact import Valuation
-from planar_cli.equation.expansion import expanded
-from planar_cli.equation.plain import MANY, longer, simplified
+from planar_cli.equation.algebra.expansion import expanded
+from planar_cli.equation.algebra.plain import MANY, longer, simplified
+from planar_cli.equation.values.exact import Valuation
 from planar_cli.records import record
 
 Pair = tuple[sp.Expr, sp.Expr]

@@ -17,10 +17,10 @@ from planar_cli.calculus.forcing import particular
 from planar_cli.calculus.linear_in_speed import linear_in_speed
 from planar_cli.calculus.linear_laws import linear
 from planar_cli.calculus.spans import Moment, Span, bound, integral, span
-from planar_cli.equation.common_factors import factor_terms
-from planar_cli.equation.exact import Valuation
-from planar_cli.equation.expansion import expanded, wide
-from planar_cli.equation.plain import derivative, parts_of, simplified
+from planar_cli.equation.algebra.common_factors import factor_terms
+from planar_cli.equation.algebra.expansion import expanded, wide
+from planar_cli.equation.algebra.plain import derivative, parts_of, simplified
+from planar_cli.equation.values.exact import Valuation
 
 __all__ = ["BY_FACTOR", "Moment", "Span", "relations"]
 

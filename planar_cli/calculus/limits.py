@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import sympy as sp
 
-from planar_cli.equation.exact import Valuation
-from planar_cli.equation.expansion import expanded
+from planar_cli.equation.algebra.expansion import expanded
+from planar_cli.equation.values.exact import Valuation
 
 
 def limit(expr: sp.Expr, letter: sp.Symbol, value: Valuation) -> sp.Expr | None:

@@ -9,9 +9,9 @@ import sympy as sp
 from planar_cli.calculus.antiderivative import antiderivative, definite
 from planar_cli.calculus.deciding import sign
 from planar_cli.calculus.spans import Moment, Span, bound, integral, span
-from planar_cli.equation.exact import Valuation
-from planar_cli.equation.expansion import expanded
-from planar_cli.equation.plain import derivative, simplified
+from planar_cli.equation.algebra.expansion import expanded
+from planar_cli.equation.algebra.plain import derivative, simplified
+from planar_cli.equation.values.exact import Valuation
 
 BY_PRODUCT = "a = dv/dt, as the derivative of a product"
 """The words of a relation of a law a = F - p v, told as d(μ v)/dt = μ F with its integrating factor μ."""

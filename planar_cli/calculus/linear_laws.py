@@ -13,8 +13,8 @@ from planar_cli.calculus.antiderivative import definite
 from planar_cli.calculus.deciding import confirmed, sign
 from planar_cli.calculus.forcing import particular
 from planar_cli.calculus.spans import Moment, Span, bound, span
-from planar_cli.equation.exact import Valuation
-from planar_cli.equation.plain import simplified
+from planar_cli.equation.algebra.plain import simplified
+from planar_cli.equation.values.exact import Valuation
 from planar_cli.records import record
 
 EQUATION = "λ² + c λ + ω² = 0"

@@ -8,8 +8,8 @@ from itertools import pairwise
 import sympy as sp
 
 from planar_cli.calculus.deciding import sign
-from planar_cli.equation.exact import Valuation
-from planar_cli.equation.plain import MANY, longer
+from planar_cli.equation.algebra.plain import MANY, longer
+from planar_cli.equation.values.exact import Valuation
 
 MOST_PIECES = 40
 

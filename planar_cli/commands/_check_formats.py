@@ -10,8 +10,8 @@ from typing import Any
 from xml.sax.saxutils import escape, quoteattr
 
 from planar_cli.diagnostics import as_data
-from planar_cli.homework.checking import AGREES, Checked
-from planar_cli.problem.show import harmless, spreadsheet_cell
+from planar_cli.homework.checking.checking import AGREES, Checked
+from planar_cli.problem.nodes.show import harmless, spreadsheet_cell
 
 NO_ANSWERS = "no answers"
 
@@ -108,7 +108,7 @@ def _property(text: str) -> str:
 
 
 def _markdown(checked: Sequence[Checked]) -> str:
-    from planar_cli.homework.sheets import plain
+    from planar_cli.homework.sets.sheets import plain
 
     lines = ["| File | Outcome | Answers |", "| --- | --- | --- |"]
     for one in checked:

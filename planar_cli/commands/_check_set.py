@@ -11,16 +11,16 @@ from planar_cli.commands._counter import counter
 from planar_cli.commands._feedback import feedback, file_of
 from planar_cli.commands._output import write_files
 from planar_cli.options import WrongUsage
-from planar_cli.problem.show import visible
+from planar_cli.problem.nodes.show import visible
 from planar_cli.streams import echo
 
 if TYPE_CHECKING:
-    from planar_cli.homework.batches import Ran
-    from planar_cli.homework.class_report import ClassReport
-    from planar_cli.homework.paper import Result
-    from planar_cli.homework.ready import Homework
-    from planar_cli.homework.results import Line
-    from planar_cli.homework.set_file import HomeworkSet
+    from planar_cli.homework.grading.class_report import ClassReport
+    from planar_cli.homework.sets.paper import Result
+    from planar_cli.homework.sets.ready import Homework
+    from planar_cli.homework.sets.set_file import HomeworkSet
+    from planar_cli.homework.submissions.batches import Ran
+    from planar_cli.homework.tasks.results import Line
 
 FORMS = ("terminal", "json", "jsonl", "csv", "markdown")
 PAPERS, RESULTS = "papers", "results"
@@ -36,7 +36,7 @@ def checked_set(
     """Grade submissions and print what came of it."""
     from planar_cli.commands._told_formulas import told_formulas
     from planar_cli.homework.homework import made_ready
-    from planar_cli.homework.set_file import read_set
+    from planar_cli.homework.sets.set_file import read_set
 
     if form not in FORMS:
         raise WrongUsage(f"--format {form} is for problem files; with --set it is one of {', '.join(FORMS)}")
@@ -56,7 +56,7 @@ def checked_set(
 
 
 def _false_matches(homework_set: HomeworkSet, homework: Homework) -> int:
-    from planar_cli.homework.false_matches import false_matches
+    from planar_cli.homework.grading.false_matches import false_matches
 
     found = false_matches(homework.papers.values(), homework_set.rules, EACH, homework_set.seed)
     echo(
@@ -70,8 +70,8 @@ class _Class:
     """The submissions of a class on their way through the workers."""
 
     def __init__(self, homework_set: HomeworkSet, homework: Homework, form: str, options: Mapping[str, Any]) -> None:
-        from planar_cli.homework.class_report import ClassReport
         from planar_cli.homework.exports._text import Names
+        from planar_cli.homework.grading.class_report import ClassReport
 
         self.homework_set, self.homework, self.form, self.options = homework_set, homework, form, options
         self.report: ClassReport = ClassReport()
@@ -84,10 +84,10 @@ class _Class:
 
     def graded(self, files: tuple[str, ...], jobs: int) -> int:
         """Grade all, printing as they come, then what came of the class."""
-        from planar_cli.homework.batches import grade_files, shard_of
-        from planar_cli.homework.grader import Grading
-        from planar_cli.homework.grading_made import grading_of
-        from planar_cli.homework.submissions import passed_over
+        from planar_cli.homework.grading.grading_made import grading_of
+        from planar_cli.homework.submissions.batches import grade_files, shard_of
+        from planar_cli.homework.submissions.grader import Grading
+        from planar_cli.homework.submissions.submissions import passed_over
 
         grading = Grading(grading_of(self.homework_set, self.homework), self.homework.digest)
         shard = shard_of(self.options["shard"])
@@ -112,8 +112,8 @@ class _Class:
 
     def _take_done_before(self, ran: Ran) -> None:
         """With a results file all that stands there is printed, and the report and exports are of all."""
-        from planar_cli.homework.class_report import ClassReport
-        from planar_cli.homework.results import merge, result_of
+        from planar_cli.homework.grading.class_report import ClassReport
+        from planar_cli.homework.tasks.results import merge, result_of
 
         if ran.skipped:
             self.report, self.kept = ClassReport(), []
@@ -124,7 +124,7 @@ class _Class:
                     self._print(text, result)
 
     def _take(self, line: Line) -> None:
-        from planar_cli.homework.results import result_of
+        from planar_cli.homework.tasks.results import result_of
 
         result = result_of(line.text)
         self._add(result)
@@ -156,8 +156,8 @@ class _Class:
         for sentence in ran.twice:
             echo(f"note: {sentence}", err=True)
         if self.form == "json":
-            from planar_cli.homework.results import as_data
-            from planar_cli.homework.sheets import as_json
+            from planar_cli.homework.sets.sheets import as_json
+            from planar_cli.homework.tasks.results import as_data
 
             kept = sorted(self.kept, key=lambda r: (r.student, r.source))
             data = [_without_key(as_data(r)) if self.options["for_student"] else as_data(r) for r in kept]
@@ -180,8 +180,8 @@ class _Class:
 
     def _of_absent(self) -> list[Result]:
         """Their papers, with nothing answered."""
-        from planar_cli.homework.grading import grade
-        from planar_cli.homework.paper import Submission
+        from planar_cli.homework.grading.grading import grade
+        from planar_cli.homework.sets.paper import Submission
 
         variants = dict(self.homework.students)
         blank = [Submission(name, variants[name], ()) for name in self._absent()]
@@ -225,7 +225,7 @@ def rows_of(result: Result, for_student: bool) -> str:
     import csv
     import io
 
-    from planar_cli.problem.show import spreadsheet_cell
+    from planar_cli.problem.nodes.show import spreadsheet_cell
 
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")
@@ -261,7 +261,7 @@ def _lines(result: Result, for_student: bool) -> list[str]:
 
 
 def _print_report(report: ClassReport) -> None:
-    from planar_cli.homework.class_report import by_variant, rows
+    from planar_cli.homework.grading.class_report import by_variant, rows
 
     echo("")
     for row in rows(report):
@@ -288,8 +288,8 @@ def _print_report(report: ClassReport) -> None:
 
 
 def _report_markdown(title: str, report: ClassReport) -> str:
-    from planar_cli.homework.class_report import by_variant, rows
-    from planar_cli.homework.sheets import plain
+    from planar_cli.homework.grading.class_report import by_variant, rows
+    from planar_cli.homework.sets.sheets import plain
 
     lines = [
         f"# {plain(title)}: the class",
@@ -322,6 +322,6 @@ def _executor(address: str | None) -> Any:
 
     if address is None:
         return contextlib.nullcontext(None)
-    from planar_cli.homework.cluster import cluster
+    from planar_cli.homework.tasks.cluster import cluster
 
     return cluster(address)

@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from planar_cli.errors import PlanarError
-from planar_cli.problem.show import visible
+from planar_cli.problem.nodes.show import visible
 from planar_cli.streams import echo
 
 MANIFEST = ".planar-key.json"

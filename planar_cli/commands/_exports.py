@@ -6,7 +6,7 @@ from typing import Any
 
 from planar_cli.errors import PlanarError
 from planar_cli.near import nearest
-from planar_cli.problem.show import visible
+from planar_cli.problem.nodes.show import visible
 
 SHELF = "homework.exports"
 

@@ -7,9 +7,9 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 
 from planar_cli.homework.exports._text import Names, slug
-from planar_cli.homework.paper import MISSING, RIGHT, Graded, Result
-from planar_cli.homework.printed_names import printed
-from planar_cli.problem.show import visible
+from planar_cli.homework.sets.paper import MISSING, RIGHT, Graded, Result
+from planar_cli.homework.sets.printed_names import printed
+from planar_cli.problem.nodes.show import visible
 
 STUDENT_LINE, LONGEST_LINE = 3, 10_000
 """The name stands on the third line of a text; so much of a line is read."""

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from planar_cli.registry import member
 
 if TYPE_CHECKING:
-    from planar_cli.report.handed_out import Piece
+    from planar_cli.report.document.handed_out import Piece
 
 SUFFIX = {"markdown": "md", "html": "html", "latex": "tex", "pdf": "pdf", "json": "json", "csv": "csv"}
 PDF = "pdf"

@@ -12,13 +12,13 @@ from planar_cli.commands._earlier_sheets import MANIFEST, clear, demand_no_loss,
 from planar_cli.commands._handed_out import PAGES, PDF, SUFFIX, files, printed_as
 from planar_cli.commands._output import write, write_files
 from planar_cli.errors import PlanarError
-from planar_cli.problem.show import visible
+from planar_cli.problem.nodes.show import visible
 from planar_cli.streams import echo
 
 if TYPE_CHECKING:
-    from planar_cli.homework.ready import Homework
-    from planar_cli.homework.set_file import HomeworkSet
-    from planar_cli.homework.sheets import Handed
+    from planar_cli.homework.sets.ready import Homework
+    from planar_cli.homework.sets.set_file import HomeworkSet
+    from planar_cli.homework.sets.sheets import Handed
 
 
 def key_of_set(
@@ -37,8 +37,8 @@ def key_of_set(
     from planar_cli.commands._told_formulas import told_formulas
     from planar_cli.commands._worked_pages import Pressed
     from planar_cli.homework.homework import made_ready
-    from planar_cli.homework.set_file import read_set
-    from planar_cli.homework.sheets import handed
+    from planar_cli.homework.sets.set_file import read_set
+    from planar_cli.homework.sets.sheets import handed
 
     if exports and output is None:
         raise PlanarError("--export needs a folder: `-o FOLDER`")
@@ -92,8 +92,8 @@ def _drawn_otherwise(of_file: HomeworkSet, homework_set: HomeworkSet) -> list[st
 
 
 def _sheet(homework: Homework, one: Handed, form: str) -> dict[str, bytes]:
-    from planar_cli.homework import sheets
-    from planar_cli.report.handed_out import sheet
+    from planar_cli.homework.sets import sheets
+    from planar_cli.report.document.handed_out import sheet
 
     if form == "json":
         return {f"{one.name}.json": sheets.as_json(sheets.sheet_data(homework, one)).encode()}
@@ -105,8 +105,8 @@ def _sheet(homework: Homework, one: Handed, form: str) -> dict[str, bytes]:
 def _key(
     homework: Homework, variants: list[int], form: str, worked: bool, short: bool, name: str = "key"
 ) -> dict[str, bytes]:
-    from planar_cli.homework import sheets
-    from planar_cli.report.handed_out import key
+    from planar_cli.homework.sets import sheets
+    from planar_cli.report.document.handed_out import key
 
     if form == "json":
         return {f"{name}.json": sheets.as_json(sheets.key_data(homework, variants)).encode()}

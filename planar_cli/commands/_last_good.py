@@ -14,7 +14,7 @@ import click
 
 from planar_cli import cli
 from planar_cli.commands._output import write
-from planar_cli.problem.show import harmless
+from planar_cli.problem.nodes.show import harmless
 from planar_cli.streams import echo
 
 UTF_8 = "utf-8"

@@ -9,7 +9,7 @@ from contextlib import contextmanager
 from types import FrameType
 
 from planar_cli.errors import TimeIsUp, Undecided
-from planar_cli.homework.memory import memory_limit, too_much
+from planar_cli.homework.tasks.memory import memory_limit, too_much
 
 AGAIN = 1.0
 FEWER = "it may help to give numbers for letters, or to ask for less at once"
@@ -86,7 +86,7 @@ def time_limit(seconds: float) -> Iterator[None]:
 
 def place_of(frame: FrameType | None) -> str:
     """The line of what is asked in the part of the file that a frame works on, "FILE:LINE: "; "": there is none yet."""
-    from planar_cli.problem.scene import Problem
+    from planar_cli.problem.scene.scene import Problem
 
     found = ""
     while frame is not None:

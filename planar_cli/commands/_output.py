@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from planar_cli.errors import PlanarError
-from planar_cli.problem.show import harmless
+from planar_cli.problem.nodes.show import harmless
 from planar_cli.streams import echo
 
 if TYPE_CHECKING:

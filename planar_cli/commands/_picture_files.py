@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from planar_cli.options import WrongUsage
 
 if TYPE_CHECKING:
-    from planar_cli.report.marks import Figure
+    from planar_cli.report.document.marks import Figure
 
 PICTURES = (".svg", ".png")
 

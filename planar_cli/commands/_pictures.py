@@ -11,7 +11,7 @@ from planar_cli.commands._handed_out import PICTURE, with_pictures
 from planar_cli.commands._output import write, write_files
 
 if TYPE_CHECKING:
-    from planar_cli.report.blocks import Block
+    from planar_cli.report.document.blocks import Block
 
 FOLDER = "-figures"
 """The folder is called as the page is, with this behind."""
@@ -21,7 +21,7 @@ OURS = b"<svg xmlns="
 def pictures_of(blocks: Iterable[Block]) -> dict[str, str]:
     """Figures by the names by which their Markdown calls them."""
     from planar_cli.formats._svg import picture
-    from planar_cli.report.blocks import Drawing
+    from planar_cli.report.document.blocks import Drawing
 
     return dict(picture(b.figure) for b in blocks if isinstance(b, Drawing))
 

@@ -7,7 +7,7 @@ import time
 from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
 
-from planar_cli.problem.show import harmless
+from planar_cli.problem.nodes.show import harmless
 
 PATIENCE = 1.0
 """So many seconds nothing is shown."""

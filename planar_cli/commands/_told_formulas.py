@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     import sympy as sp
 
-    from planar_cli.homework.told_formula import ToldFormula
+    from planar_cli.homework.variants.told_formula import ToldFormula
     from planar_cli.solve.solved_problem import Solution
 
 
@@ -16,6 +16,6 @@ def told_formulas(solution: Solution, numbers: Mapping[str, sp.Expr]) -> dict[st
     """By the names of the finds, with `numbers` put in for some letters. Workers find it by its name; what tells a
     formula is loaded there.
     """
-    from planar_cli.report.key import formulas_told
+    from planar_cli.report.page.key import formulas_told
 
     return formulas_told(solution, numbers)

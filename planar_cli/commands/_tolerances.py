@@ -8,19 +8,19 @@ from typing import TYPE_CHECKING
 from planar_cli import cli
 from planar_cli.commands._limit import limits
 from planar_cli.errors import PlanarError
-from planar_cli.problem.show import visible
+from planar_cli.problem.nodes.show import visible
 from planar_cli.streams import echo
 
 if TYPE_CHECKING:
-    from planar_cli.homework.rules import Rules
-    from planar_cli.homework.set_file import HomeworkSet
-    from planar_cli.homework.tolerance_report import Danger
+    from planar_cli.homework.sets.rules import Rules
+    from planar_cli.homework.sets.set_file import HomeworkSet
+    from planar_cli.homework.variants.tolerance_report import Danger
 
 
 def tolerances_of(files: tuple[str, ...], timeout: float) -> int:
     """A table for each file."""
-    from planar_cli.homework.rules import Rules
-    from planar_cli.problem.files import problem_files
+    from planar_cli.homework.sets.rules import Rules
+    from planar_cli.problem.nodes.files import problem_files
 
     return _all([(path, "problem", 0, 1, Rules()) for path in problem_files(files)], timeout)
 
@@ -51,9 +51,9 @@ def _all(items: Iterable[Item], timeout: float) -> int:
 
 
 def _report(path: str, name: str, number: int, seed: int, rules: Rules) -> Iterator[str]:
-    from planar_cli.homework.tolerance_report import tolerance_report
-    from planar_cli.homework.variants import variants_of
-    from planar_cli.homework.worked_problem import read_and_solve
+    from planar_cli.homework.variants.tolerance_report import tolerance_report
+    from planar_cli.homework.variants.variants import variants_of
+    from planar_cli.homework.variants.worked_problem import read_and_solve
 
     solved = read_and_solve(path, name)
     found, left = tolerance_report(solved, rules, variants_of(solved, number, seed).taken if number else ())
@@ -66,7 +66,7 @@ def _report(path: str, name: str, number: int, seed: int, rules: Rules) -> Itera
 
 def _told(row: Sequence[Danger], width: int) -> Iterator[str]:
     """One find. `row`: its danger with the values of the file, and in each variant."""
-    from planar_cli.homework.tolerance_report import FIGURES
+    from planar_cli.homework.variants.tolerance_report import FIGURES
 
     worst = max(row, key=lambda d: d.honest)
     wrong = min((d for d in row if d.nearest is not None), key=lambda d: d.nearest or 0.0, default=None)

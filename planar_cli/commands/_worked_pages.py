@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from planar_cli.homework.paper import Printed
-from planar_cli.problem.scene import Problem
+from planar_cli.homework.sets.paper import Printed
+from planar_cli.problem.scene.scene import Problem
 from planar_cli.records import record
 from planar_cli.registry import member
 from planar_cli.solve.solved_problem import Solution
 
 if TYPE_CHECKING:
-    from planar_cli.report.blocks import Block
+    from planar_cli.report.document.blocks import Block
 
 FOR_COURSES = ("mathjax", "dollars")
 MARKDOWN = "markdown"
@@ -37,7 +37,7 @@ class Pressed:
         """The figure of a sheet, for course systems as a file of its own."""
         from planar_cli.figures.handed_out import handed_out, letters_told
         from planar_cli.formats._svg import svg
-        from planar_cli.report.blocks import Drawing, Paragraph
+        from planar_cli.report.document.blocks import Drawing, Paragraph
 
         figure = handed_out(problem) if self.form or self.exports else None
         if figure is None:
@@ -50,8 +50,8 @@ class Pressed:
     def worked(self, solution: Solution) -> Printed:
         """A worked solution."""
         from planar_cli.figures.illustrated import illustrated
-        from planar_cli.report.blocks import Title
-        from planar_cli.report.narrate import Voice, narrate
+        from planar_cli.report.document.blocks import Title
+        from planar_cli.report.page.narrate import Voice, narrate
 
         page = illustrated(narrate(solution, Voice(self.figures, self.audience)), solution)
         blocks = (Title(page.title), *page.blocks)
@@ -66,7 +66,7 @@ class Pressed:
     def _printed(self, blocks: Sequence[Block]) -> dict[str, str]:
         """In the form of sheets and key."""
         from planar_cli.formats._svg import picture
-        from planar_cli.report.blocks import Drawing
+        from planar_cli.report.document.blocks import Drawing
 
         if not self.form:
             return {}

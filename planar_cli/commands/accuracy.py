@@ -25,7 +25,7 @@ from planar_cli.options import SECONDS, FloatRange
 from planar_cli.registry import modules
 
 if TYPE_CHECKING:
-    from planar_cli.problem.scene import Problem
+    from planar_cli.problem.scene.scene import Problem
     from planar_cli.simulate.accuracy import Study, Wanted
     from planar_cli.simulate.accuracy_report import Told
 
@@ -47,7 +47,7 @@ TOLERANCE = type_of(FloatRange(1e-15, 0.1))
 @click.option("--timeout", type=type_of(SECONDS), default=120, show_default=True, help="Seconds a file; 0: none.")
 def command(files: tuple[str, ...], form: str, plot: str | None, output: str | None, **options: Any) -> int:
     """Study each file; one that fails does not keep the others from being studied."""
-    from planar_cli.problem.files import problem_files
+    from planar_cli.problem.nodes.files import problem_files
     from planar_cli.simulate.accuracy_report import Told
 
     demand_picture(plot)
@@ -106,7 +106,7 @@ def _text(told: Sequence[Told], form: str, several: bool, width: int) -> str:
 
 def _told(path: str, options: dict[str, Any], brief: bool) -> tuple[int, Told]:
     """One file; `brief`: as much as a line tells."""
-    from planar_cli.homework.solving import solved
+    from planar_cli.homework.checking.solving import solved
     from planar_cli.problem.structure import load
     from planar_cli.simulate.accuracy_report import Told
 

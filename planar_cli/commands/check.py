@@ -23,7 +23,7 @@ from planar_cli.options import command as declared
 from planar_cli.streams import echo
 
 if TYPE_CHECKING:
-    from planar_cli.homework.checking import Checked
+    from planar_cli.homework.checking.checking import Checked
 
 STATUS = {
     "agrees": cli.SOLVED,
@@ -86,9 +86,9 @@ def command(
 def _checked(files: tuple[str, ...], form: str, jobs: int, timeout: float, options: Mapping[str, Any]) -> int:
     from planar_cli.commands._check_formats import HEADS, STREAMED
     from planar_cli.commands._counter import counter
-    from planar_cli.homework.batches import in_shard, shard_of
-    from planar_cli.homework.checked_files import check_files
-    from planar_cli.problem.files import problem_files
+    from planar_cli.homework.checking.checked_files import check_files
+    from planar_cli.homework.submissions.batches import in_shard, shard_of
+    from planar_cli.problem.nodes.files import problem_files
 
     shard = shard_of(options["shard"])
     paths = list(dict.fromkeys(p for p in problem_files(files) if in_shard(p, shard)))
@@ -134,7 +134,7 @@ def _row(checked: Checked) -> tuple[str, str, str, str]:
 
 def _print_table(checked: Sequence[Checked]) -> None:
     """With rich on a terminal; else plain columns that other programs can cut."""
-    from planar_cli.problem.show import visible
+    from planar_cli.problem.nodes.show import visible
 
     rows = [tuple(visible(cell) for cell in _row(c)) for c in checked]
     if sys.stdout.isatty():
@@ -160,7 +160,7 @@ def _print_rich(rows: Sequence[tuple[str, ...]]) -> None:
 def _print_differences(checked: Sequence[Checked]) -> None:
     """What differs, and why a problem was not solved."""
     from planar_cli.diagnostics import show_all
-    from planar_cli.problem.show import visible
+    from planar_cli.problem.nodes.show import visible
 
     for one in checked:
         wrong = [v.message for v in one.verdicts if not v.agrees]

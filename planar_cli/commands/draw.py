@@ -28,7 +28,7 @@ from planar_cli.errors import PlanarError
 from planar_cli.options import SECONDS
 
 if TYPE_CHECKING:
-    from planar_cli.report.blocks import Document
+    from planar_cli.report.document.blocks import Document
 
 LETTERS = ("terminal", "text")
 """Figures in letters, which are printed; `text` is another name."""
@@ -109,8 +109,8 @@ def _figures(path: str, form: str) -> Iterator[tuple[str, bytes]]:
 def _page(path: str) -> Document:
     """The worked solution of a file with its figures."""
     from planar_cli.figures.illustrated import illustrated
-    from planar_cli.homework.checking import read
-    from planar_cli.report.narrate import narrate
+    from planar_cli.homework.checking.checking import read
+    from planar_cli.report.page.narrate import narrate
     from planar_cli.solve.run import solve_problem
 
     problem = read(path)

@@ -26,7 +26,7 @@ from planar_cli.errors import PlanarError
 from planar_cli.options import SECONDS
 
 if TYPE_CHECKING:
-    from planar_cli.report.blocks import Document
+    from planar_cli.report.document.blocks import Document
 
 MARKDOWN = "markdown"
 FORMS = (*PAGES, "json", "csv")
@@ -72,9 +72,9 @@ def command(
         raise click.UsageError("--variants, --seed, --export, --format json and csv are for one homework set")
     if style == PDF and output in (None, "-"):
         raise click.UsageError("a PDF is written to a file: add `-o FILE`")
-    from planar_cli.problem.files import problem_files
+    from planar_cli.problem.nodes.files import problem_files
     from planar_cli.registry import member
-    from planar_cli.report.blocks import Title
+    from planar_cli.report.document.blocks import Title
 
     below = 1 if both else 0
     called = style == MARKDOWN and output not in (None, "-")
@@ -116,7 +116,7 @@ def _write(text: str, style: str, output: str | None, pictures: dict[str, str]) 
 
 def _is_set(path: str) -> bool:
     """Does a file list problems, as a homework set does?"""
-    from planar_cli.problem.nodes import Mapping, read_file
+    from planar_cli.problem.nodes.nodes import Mapping, read_file
 
     if path == "-" or os.path.isdir(path):
         return False
@@ -127,9 +127,9 @@ def _is_set(path: str) -> bool:
 def _sections(path: str, figures: int, audience: str) -> tuple[Document, Document | None, int]:
     """The answers of one file, its worked solution for an audience (none: ""), and its exit status."""
     from planar_cli.figures.illustrated import illustrated
-    from planar_cli.homework.checking import read, solve_and_compare
-    from planar_cli.report.key import key_document, with_disagreements
-    from planar_cli.report.narrate import Voice, narrate
+    from planar_cli.homework.checking.checking import read, solve_and_compare
+    from planar_cli.report.page.key import key_document, with_disagreements
+    from planar_cli.report.page.narrate import Voice, narrate
 
     solution, verdicts = solve_and_compare(read(path))
     status = cli.SOLVED if all(v.agrees for v in verdicts) else cli.DISAGREES

@@ -12,7 +12,7 @@ from planar_cli.cli import say
 from planar_cli.commands._output import write
 from planar_cli.formats.json import dumps
 from planar_cli.manual import kinds
-from planar_cli.problem.show import harmless
+from planar_cli.problem.nodes.show import harmless
 
 SHELVES = ("joints", "loads", "principles")
 
@@ -39,7 +39,7 @@ def _kinds(form: str) -> int:
 
 def _problems(folders: tuple[str, ...], form: str) -> int:
     """All problems that can be read; a bad file is named on standard error and makes the exit status 2."""
-    from planar_cli.problem.files import problem_files
+    from planar_cli.problem.nodes.files import problem_files
     from planar_cli.problem.structure import load
 
     rows: list[dict[str, object]] = []

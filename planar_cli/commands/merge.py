@@ -17,7 +17,7 @@ from planar_cli.options import command as declared
 @option("-o", "--output", metavar="FILE", help="Write to FILE instead of standard output.")
 def command(files: tuple[str, ...], output: str | None) -> int:
     """One results file out of several."""
-    from planar_cli.homework.results import merge
+    from planar_cli.homework.tasks.results import merge
 
     write("".join(f"{line}\n" for line in merge(files)), output, exact=True)
     return cli.SOLVED

@@ -14,7 +14,7 @@ import click
 @click.command(help=__doc__)
 def command() -> int:
     """Print the schema."""
-    from planar_cli.problem.schema import schema
+    from planar_cli.problem.sections.schema import schema
 
     click.echo(json.dumps(schema(), ensure_ascii=False, indent=2))
     return 0

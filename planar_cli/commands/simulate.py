@@ -23,7 +23,7 @@ from planar_cli.options import command as declared
 from planar_cli.registry import modules
 
 if TYPE_CHECKING:
-    from planar_cli.problem.scene import Problem
+    from planar_cli.problem.scene.scene import Problem
     from planar_cli.simulate.report import Motion
     from planar_cli.simulate.request import Request
 
@@ -120,7 +120,7 @@ def _film(motions: Sequence[Motion], speed: float | None, path: str) -> bytes:
     """The motion of a file, or of its first case, as it goes on."""
     from planar_cli.figures.frames import film
     from planar_cli.formats._animated import animated, page
-    from planar_cli.problem.reading import listed
+    from planar_cli.problem.nodes.reading import listed
 
     others = [m.case for m in motions[1:]]
     if others:

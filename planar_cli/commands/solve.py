@@ -24,8 +24,8 @@ from planar_cli.records import record
 from planar_cli.registry import member, modules
 
 if TYPE_CHECKING:
-    from planar_cli.problem.scene import Problem
-    from planar_cli.report.blocks import Document
+    from planar_cli.problem.scene.scene import Problem
+    from planar_cli.report.document.blocks import Document
 
 LARGEST_FIGURES = 40
 PDF = "pdf"
@@ -163,7 +163,7 @@ def _printed(document: Document, wanted: Wanted) -> str:
 
 def _report(path: str, wanted: Wanted) -> Report:
     """Read and solve one file; what goes wrong is told on standard error."""
-    from planar_cli.homework.checking import read
+    from planar_cli.homework.checking.checking import read
 
     name = path
     try:
@@ -183,28 +183,28 @@ def _failed(name: str, wanted: Wanted, status: int, message: str, error: PlanarE
     if not wanted.json:
         return Report(status)
     from planar_cli.diagnostics import as_data
-    from planar_cli.report.json_document import failure_data
+    from planar_cli.report.page.json_document import failure_data
 
     diagnostics = [as_data(d) for d in getattr(error, "diagnostics", ())]
     return Report(status, data=failure_data(name, OUTCOMES[status], message, diagnostics))
 
 
 def _solved(problem: Problem, wanted: Wanted) -> Report:
-    from planar_cli.homework.checking import solve_and_compare
-    from planar_cli.report.key import with_disagreements
-    from planar_cli.report.narrate import Voice, narrate
+    from planar_cli.homework.checking.checking import solve_and_compare
+    from planar_cli.report.page.key import with_disagreements
+    from planar_cli.report.page.narrate import Voice, narrate
 
     _demand_find(problem, wanted.why)
     solution, verdicts = solve_and_compare(problem, wanted.method)
     status = cli.SOLVED if all(v.agrees for v in verdicts) else cli.DISAGREES
     if wanted.json:
-        from planar_cli.report.json_document import solution_data
+        from planar_cli.report.page.json_document import solution_data
 
         return Report(status, data=solution_data(solution, verdicts, wanted.figures, wanted.method))
     voice = Voice(wanted.figures, wanted.audience, wanted.effects or wanted.verbose, wanted.verbose)
     document = with_disagreements(narrate(solution, voice, wanted.why), verdicts)
     if wanted.handed_out:
-        from planar_cli.report.stated_text import with_task
+        from planar_cli.report.document.stated_text import with_task
 
         document = with_task(document, problem)
     if wanted.illustrated or wanted.drawing:
@@ -227,7 +227,7 @@ def _demand_find(problem: Problem, name: str | None) -> None:
 
 def _compared(problem: Problem, wanted: Wanted) -> Report:
     """Every method that the scene offers, side by side."""
-    from planar_cli.report.comparison import comparison_data, comparison_document
+    from planar_cli.report.page.comparison import comparison_data, comparison_document
     from planar_cli.solve.compare import compare_methods
 
     rows = compare_methods(problem)

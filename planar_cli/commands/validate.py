@@ -14,7 +14,7 @@ from planar_cli.commands._output import write
 from planar_cli.diagnostics import as_annotation, as_data, show_all
 from planar_cli.errors import Diagnostic
 from planar_cli.formats.json import dumps
-from planar_cli.problem.show import visible
+from planar_cli.problem.nodes.show import visible
 
 RIGHT, BAD = 0, 2
 
@@ -24,8 +24,8 @@ RIGHT, BAD = 0, 2
 @click.option("--format", "form", type=click.Choice(["text", "json", "github"]), default="text", help="How to print.")
 def command(files: tuple[str, ...], form: str) -> int:
     """Validate each file and print what is wrong."""
-    from planar_cli.homework.set_validity import validated
-    from planar_cli.problem.files import problem_files
+    from planar_cli.homework.sets.set_validity import validated
+    from planar_cli.problem.nodes.files import problem_files
 
     wrong: list[Diagnostic] = []
     warnings: list[str] = []

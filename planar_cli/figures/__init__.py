@@ -1,1 +1,1 @@
-"""Figures of a solution: what is drawn, as marks (report/marks.py)."""
+"""Figures of a solution: what is drawn, as marks (report/document/marks.py)."""

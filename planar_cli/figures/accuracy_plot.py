@@ -6,10 +6,10 @@ import math
 from collections.abc import Iterator, Sequence
 
 from planar_cli.errors import PlanarError
-from planar_cli.problem.show import harmless
-from planar_cli.report.blocks import Text, line
-from planar_cli.report.graphs import Curve, Graph, Scaled, Spot
-from planar_cli.report.marks import Figure, Panel
+from planar_cli.problem.nodes.show import harmless
+from planar_cli.report.document.blocks import Text, line
+from planar_cli.report.document.graphs import Curve, Graph, Scaled, Spot
+from planar_cli.report.document.marks import Figure, Panel
 from planar_cli.simulate.accuracy import Row, Study
 from planar_cli.simulate.diagram import curves_of, lowest_of
 

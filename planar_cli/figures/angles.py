@@ -7,14 +7,14 @@ from collections.abc import Iterator
 
 import sympy as sp
 
-from planar_cli.equation.displacement import Coordinate
+from planar_cli.equation.scene.displacement import Coordinate
 from planar_cli.figures.drawn import TINY, Drawn, size_of
-from planar_cli.problem.expression import Binary, Name, Negate, Number, Side
-from planar_cli.problem.scene import GROUND, Rod
-from planar_cli.problem.walk import walk
-from planar_cli.report.blocks import Name as Letter
-from planar_cli.report.blocks import line
-from planar_cli.report.marks import Angle, Spot
+from planar_cli.problem.language.expression import Binary, Name, Negate, Number, Side
+from planar_cli.problem.language.walk import walk
+from planar_cli.problem.scene.scene import GROUND, Rod
+from planar_cli.report.document.blocks import Name as Letter
+from planar_cli.report.document.blocks import line
+from planar_cli.report.document.marks import Angle, Spot
 
 RIGHT = math.pi / 2
 NEAR = 1e-6

@@ -9,16 +9,16 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import takewhile
 
-from planar_cli.equation.bodies import BodyModel
+from planar_cli.equation.scene.bodies import BodyModel
 from planar_cli.figures.angles import CIRCLE, angle_from_its_zero
 from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.rings import way_of
-from planar_cli.problem.expression import Name as Letter
-from planar_cli.problem.scene import Polar
-from planar_cli.problem.walk import walk
-from planar_cli.report.blocks import Block, Equation, Forces, Heading, Name, line
-from planar_cli.report.marks import Angle, Arrow, Mark, Panel, Polyline, Spot
-from planar_cli.report.mentioned import names_in
+from planar_cli.problem.language.expression import Name as Letter
+from planar_cli.problem.language.walk import walk
+from planar_cli.problem.scene.scene import Polar
+from planar_cli.report.document.blocks import Block, Equation, Forces, Heading, Name, line
+from planar_cli.report.document.marks import Angle, Arrow, Mark, Panel, Polyline, Spot
+from planar_cli.report.document.mentioned import names_in
 
 CLOSE = 1e-3
 """Directions that differ by less, rad, are the same."""

@@ -12,9 +12,9 @@ from itertools import combinations
 
 from planar_cli.figures.drawn import Drawn, words_of
 from planar_cli.figures.stated import is_stated
-from planar_cli.problem.expression import Negate, Number, Side
-from planar_cli.problem.scene import At
-from planar_cli.report.marks import Dimension, Spot
+from planar_cli.problem.language.expression import Negate, Number, Side
+from planar_cli.problem.scene.scene import At
+from planar_cli.report.document.marks import Dimension, Spot
 
 
 def apart_in_text(drawn: Drawn, tagged: Mapping[str, Spot]) -> Iterator[Dimension]:

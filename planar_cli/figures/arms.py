@@ -6,8 +6,8 @@ import math
 from collections.abc import Iterator
 
 from planar_cli.figures.shapes import moved
-from planar_cli.report.blocks import Line, Name, line
-from planar_cli.report.marks import Angle, Mark, Polyline, Spot, Tag
+from planar_cli.report.document.blocks import Line, Name, line
+from planar_cli.report.document.marks import Angle, Mark, Polyline, Spot, Tag
 
 FLAT = 1e-6
 

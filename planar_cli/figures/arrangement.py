@@ -52,10 +52,10 @@ from planar_cli.figures.unguided import is_idle, led_blocks
 from planar_cli.figures.within import within
 from planar_cli.joints.base import Joint
 from planar_cli.loads.base import Load
-from planar_cli.problem.scene import GROUND, Circle, Line, Particle, Problem, Round, Surface
-from planar_cli.problem.sketches import Cord, Slide
-from planar_cli.report.blocks import Name, line
-from planar_cli.report.marks import (
+from planar_cli.problem.scene.scene import GROUND, Circle, Line, Particle, Problem, Round, Surface
+from planar_cli.problem.scene.sketches import Cord, Slide
+from planar_cli.report.document.blocks import Name, line
+from planar_cli.report.document.marks import (
     Angle,
     Arrow,
     Axes,

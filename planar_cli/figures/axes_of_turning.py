@@ -8,11 +8,11 @@ import math
 from collections.abc import Iterator
 
 from planar_cli.figures.drawn import Drawn
-from planar_cli.problem.expression import Binary, Number, Quantity, Relation, Side
-from planar_cli.problem.scene import Problem, Rod
-from planar_cli.problem.walk import walk
-from planar_cli.report.blocks import Name, line
-from planar_cli.report.marks import Dimension, Mark, Polyline, Spot, Symbol
+from planar_cli.problem.language.expression import Binary, Number, Quantity, Relation, Side
+from planar_cli.problem.language.walk import walk
+from planar_cli.problem.scene.scene import Problem, Rod
+from planar_cli.report.document.blocks import Name, line
+from planar_cli.report.document.marks import Dimension, Mark, Polyline, Spot, Symbol
 
 BEYOND = 0.25
 """So far an axis goes on beyond its points, in parts of their distance."""

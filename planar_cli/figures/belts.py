@@ -8,11 +8,11 @@ from collections.abc import Iterator
 from planar_cli.figures.drawn import Drawn, size_of
 from planar_cli.figures.rings import around, circle, way_of
 from planar_cli.figures.shapes import moved
-from planar_cli.problem.expression import Quantity
-from planar_cli.problem.scene import Line, Outline, Surface
-from planar_cli.problem.walk import walk
-from planar_cli.report.blocks import Name, line
-from planar_cli.report.marks import Arc, Arrow, Hatched, Mark, Polyline
+from planar_cli.problem.language.expression import Quantity
+from planar_cli.problem.language.walk import walk
+from planar_cli.problem.scene.scene import Line, Outline, Surface
+from planar_cli.report.document.blocks import Name, line
+from planar_cli.report.document.marks import Arc, Arrow, Hatched, Mark, Polyline
 
 SLENDER = 0.05
 """The radius of its rollers in parts of its length."""

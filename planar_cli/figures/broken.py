@@ -15,8 +15,8 @@ from itertools import pairwise
 
 from planar_cli.figures.shapes import moved
 from planar_cli.records import record
-from planar_cli.report.lines import line
-from planar_cli.report.marks import (
+from planar_cli.report.document.lines import line
+from planar_cli.report.document.marks import (
     Angle,
     Arc,
     Arrow,

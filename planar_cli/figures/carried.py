@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from planar_cli.figures.shapes import moved
 from planar_cli.records import record
-from planar_cli.report.marks import Arc, Mark, Polyline, Slot, Spot, Symbol
+from planar_cli.report.document.marks import Arc, Mark, Polyline, Slot, Spot, Symbol
 
 
 @record

@@ -10,7 +10,7 @@ from collections.abc import Iterator, Sequence
 
 import sympy as sp
 
-from planar_cli.equation.centres import centre_of
+from planar_cli.equation.scene.centres import centre_of
 from planar_cli.figures.diagrams import slim
 from planar_cli.figures.drawn import TINY, Drawn
 from planar_cli.figures.given_motion import Found
@@ -18,16 +18,16 @@ from planar_cli.figures.joints_drawn import sketch_marks
 from planar_cli.figures.partners import sketch_of
 from planar_cli.figures.rings import extent_of
 from planar_cli.figures.shapes import body_marks, moved
-from planar_cli.problem.expression import Quantity
-from planar_cli.problem.geometry import Vec
-from planar_cli.problem.scene import GROUND, Find
-from planar_cli.problem.sketches import Slide
+from planar_cli.problem.language.expression import Quantity
+from planar_cli.problem.scene.geometry import Vec
+from planar_cli.problem.scene.scene import GROUND, Find
+from planar_cli.problem.scene.sketches import Slide
 from planar_cli.records import record
-from planar_cli.report.blocks import Block, Check, Equation, Line, Math, Name, Paragraph, Text, line
-from planar_cli.report.marks import Arrow, Figure, Mark, Panel, Polyline, Spot, Symbol, Tag, Turn, spots_of
-from planar_cli.report.mentioned import pieces_of
-from planar_cli.report.names import index_of
-from planar_cli.solve.between.trace import MotionTrace
+from planar_cli.report.document.blocks import Block, Check, Equation, Line, Math, Name, Paragraph, Text, line
+from planar_cli.report.document.marks import Arrow, Figure, Mark, Panel, Polyline, Spot, Symbol, Tag, Turn, spots_of
+from planar_cli.report.document.mentioned import pieces_of
+from planar_cli.report.notation.names import index_of
+from planar_cli.solve.between.trace.trace import MotionTrace
 from planar_cli.solve.solution import InstantSolution
 from planar_cli.solve.solved_problem import Solution
 

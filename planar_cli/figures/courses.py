@@ -16,11 +16,11 @@ from planar_cli.base_units import in_base
 from planar_cli.figures.laws_traced import Instant, Traced, traced
 from planar_cli.figures.letters_on_axes import SOME, in_letters, places_of, rests_on_letters, times_of
 from planar_cli.figures.over_time import FIGURES, LOW, NEAR, NOISE, WIDE, unit_words
-from planar_cli.report.blocks import Block, Line, Name, Value, line
-from planar_cli.report.graphs import Curve, Dot, Graph, Scaled, Spot
-from planar_cli.report.marks import Figure, Panel
-from planar_cli.report.mentioned import names_in
-from planar_cli.solve.between.trace import MotionTrace
+from planar_cli.report.document.blocks import Block, Line, Name, Value, line
+from planar_cli.report.document.graphs import Curve, Dot, Graph, Scaled, Spot
+from planar_cli.report.document.marks import Figure, Panel
+from planar_cli.report.document.mentioned import names_in
+from planar_cli.solve.between.trace.trace import MotionTrace
 from planar_cli.solve.law import Law
 from planar_cli.solve.solution import Found
 from planar_cli.units import Unit, parse_unit

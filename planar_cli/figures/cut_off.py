@@ -10,7 +10,7 @@ from itertools import pairwise
 from statistics import median
 
 from planar_cli.figures.over_time import Plotted
-from planar_cli.report.graphs import Spot
+from planar_cli.report.document.graphs import Spot
 
 MOST, OUTSIDE = 0.75, 3.0
 """Of all values this part lies within a distance from the middle one, and the graph goes so many times as far."""

@@ -8,8 +8,8 @@ from collections.abc import Sequence
 from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.rings import off, way_of
 from planar_cli.figures.shapes import body_marks
-from planar_cli.report.marks import spots_of
-from planar_cli.solve.between.trace import MotionTrace
+from planar_cli.report.document.marks import spots_of
+from planar_cli.solve.between.trace.trace import MotionTrace
 
 FLAT = 1e-3
 """As near to a line, in parts of its length, all links lie on it."""

@@ -11,9 +11,9 @@ from planar_cli.figures.angles import angles_of_coordinates
 from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.measures import measure_marks
 from planar_cli.figures.positions import Later, position_of
-from planar_cli.report.blocks import Name
-from planar_cli.report.marks import Angle, Mark
-from planar_cli.solve.between.trace import MotionTrace
+from planar_cli.report.document.blocks import Name
+from planar_cli.report.document.marks import Angle, Mark
+from planar_cli.solve.between.trace.trace import MotionTrace
 
 TURNED = Decimal("0.25")
 """So far, rad: as small as can be seen."""

@@ -11,7 +11,7 @@ from dataclasses import replace
 from itertools import groupby
 from typing import TypeGuard
 
-from planar_cli.equation.bodies import BodyModel
+from planar_cli.equation.scene.bodies import BodyModel
 from planar_cli.figures.angles_in_diagrams import with_angles
 from planar_cli.figures.broken import NOT_TO_SCALE, broken_together
 from planar_cli.figures.drawn import Drawn
@@ -23,14 +23,26 @@ from planar_cli.figures.pulling import Pulling
 from planar_cli.figures.rings import across, ends_of, extent_of, inside, meets, middle_of, off, sides, way_of
 from planar_cli.figures.ropes import ropes_within
 from planar_cli.figures.shapes import body_marks, moved
-from planar_cli.problem.geometry import Vec
-from planar_cli.problem.sketches import Slide
+from planar_cli.problem.scene.geometry import Vec
+from planar_cli.problem.scene.sketches import Slide
 from planar_cli.records import record
-from planar_cli.report.blocks import Block, Forces, Inline, Line, Math, Name, Text, Way, line
-from planar_cli.report.entries import ASSUMED
-from planar_cli.report.impulse_rows import IMPULSES
-from planar_cli.report.marks import Arrow, Dimension, Figure, Mark, Panel, Polyline, Spot, Style, Symbol, Tag, Turn
-from planar_cli.report.open_lines import NOT_NEEDED
+from planar_cli.report.document.blocks import Block, Forces, Inline, Line, Math, Name, Text, Way, line
+from planar_cli.report.document.marks import (
+    Arrow,
+    Dimension,
+    Figure,
+    Mark,
+    Panel,
+    Polyline,
+    Spot,
+    Style,
+    Symbol,
+    Tag,
+    Turn,
+)
+from planar_cli.report.kinetics.entries import ASSUMED
+from planar_cli.report.kinetics.open_lines import NOT_NEEDED
+from planar_cli.report.momentum.impulse_rows import IMPULSES
 from planar_cli.solve.solved_problem import Solution
 
 AND = " + "

@@ -8,21 +8,21 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.equation.bodies import BodyModel
-from planar_cli.equation.exact import Valuation
-from planar_cli.equation.scene import Scene
-from planar_cli.equation.setup import Earlier, Setup
-from planar_cli.equation.system import Statements
+from planar_cli.equation.scene.bodies import BodyModel
+from planar_cli.equation.scene.scene import Scene
+from planar_cli.equation.system.setup import Earlier, Setup
+from planar_cli.equation.system.system import Statements
+from planar_cli.equation.values.exact import Valuation
 from planar_cli.errors import PlanarError
-from planar_cli.problem.expression import Binary, Negate, Number, Side
-from planar_cli.problem.geometry import Vec
-from planar_cli.problem.scene import GROUND, Problem
-from planar_cli.problem.walk import walk
+from planar_cli.problem.language.expression import Binary, Negate, Number, Side
+from planar_cli.problem.language.walk import walk
+from planar_cli.problem.scene.geometry import Vec
+from planar_cli.problem.scene.scene import GROUND, Problem
 from planar_cli.records import record
-from planar_cli.report.blocks import Line, Text, line
-from planar_cli.report.marks import Spot
-from planar_cli.report.sides import said
-from planar_cli.solve.between.trace import MotionTrace
+from planar_cli.report.document.blocks import Line, Text, line
+from planar_cli.report.document.marks import Spot
+from planar_cli.report.words.sides import said
+from planar_cli.solve.between.trace.trace import MotionTrace
 from planar_cli.solve.solution import InstantSolution
 
 FIGURES = 4

@@ -10,8 +10,8 @@ from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.given_motion import Told
 from planar_cli.figures.rings import extent_of
 from planar_cli.figures.shapes import body_marks
-from planar_cli.problem.sketches import Hinge, Sketch
-from planar_cli.report.marks import Hatched, spots_of
+from planar_cli.problem.scene.sketches import Hinge, Sketch
+from planar_cli.report.document.marks import Hatched, spots_of
 
 BEHIND, AHEAD = 0.8, 0.5
 """How far the ground goes on behind a step and ahead of it, in parts of the size of the body."""

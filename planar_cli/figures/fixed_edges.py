@@ -8,8 +8,8 @@ from collections.abc import Iterator, Sequence
 from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.given_motion import Told
 from planar_cli.joints.base import Joint
-from planar_cli.problem.scene import GROUND, Particle
-from planar_cli.report.marks import Spot, Symbol
+from planar_cli.problem.scene.scene import GROUND, Particle
+from planar_cli.report.document.marks import Spot, Symbol
 
 NEAR = 1e-9
 UPRIGHT = math.pi / 2

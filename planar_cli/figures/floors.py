@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 
-from planar_cli.equation.bodies import BodyModel
+from planar_cli.equation.scene.bodies import BodyModel
 from planar_cli.figures.axes_of_turning import is_axis
 from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.outlines import level, lying
@@ -13,9 +13,9 @@ from planar_cli.figures.partners import between, is_lane, sketch_of
 from planar_cli.figures.rings import extent_of, off, turned_by
 from planar_cli.figures.shapes import body_marks, moved
 from planar_cli.figures.within import slot_within
-from planar_cli.problem.scene import Particle, Rod
-from planar_cli.problem.sketches import Absorber, Bar, Cord, Hinge, Slide, Spiral
-from planar_cli.report.marks import Hatched, Mark, Slot, Spot, Symbol, spots_of
+from planar_cli.problem.scene.scene import Particle, Rod
+from planar_cli.problem.scene.sketches import Absorber, Bar, Cord, Hinge, Slide, Spiral
+from planar_cli.report.document.marks import Hatched, Mark, Slot, Spot, Symbol, spots_of
 
 BEYOND = 0.15
 """A floor goes on behind a body by this part of the scene."""

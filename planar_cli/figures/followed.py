@@ -5,16 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 
 from planar_cli.figures.over_time import over_time, plotted, without_state
-from planar_cli.problem.check_dimensions import Kinds
-from planar_cli.problem.expression import Quantity, Relation, Side
-from planar_cli.problem.scene import Problem
-from planar_cli.problem.scope import Scope
-from planar_cli.problem.walk import walk
-from planar_cli.report.marks import Figure, Panel
+from planar_cli.problem.checks.check_dimensions import Kinds
+from planar_cli.problem.checks.scope import Scope
+from planar_cli.problem.language.expression import Quantity, Relation, Side
+from planar_cli.problem.language.walk import walk
+from planar_cli.problem.scene.scene import Problem
+from planar_cli.report.document.marks import Figure, Panel
 from planar_cli.simulate.answers import usual_unit
 from planar_cli.simulate.run import Run, Simulation
 from planar_cli.simulate.table import Column, places_of, varies
-from planar_cli.solve.between.trace import MotionTrace
+from planar_cli.solve.between.trace.trace import MotionTrace
 from planar_cli.solve.solution import Found
 from planar_cli.units import Unit, parse_unit
 

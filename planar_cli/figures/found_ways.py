@@ -14,16 +14,16 @@ from decimal import Decimal
 
 from sympy import Add, Expr, Integer, Rational, Symbol
 
-from planar_cli.equation.arrows import vector_arrow
-from planar_cli.equation.exact import Valuation
+from planar_cli.equation.scene.arrows import vector_arrow
+from planar_cli.equation.values.exact import Valuation
 from planar_cli.figures.written_out import formulas_of, sign_of, states_against, written_out
-from planar_cli.problem.expression import Quantity
-from planar_cli.problem.scene import Problem
-from planar_cli.report.blocks import Forces, Inline, Line, Math, line
-from planar_cli.report.marks import Arrow, Mark, Panel, Turn
-from planar_cli.report.names import plain_name
-from planar_cli.report.numbers import rotation_words
-from planar_cli.solve.between.trace import ImpactEquation, MotionTrace, RegimeTrace, RouteStep
+from planar_cli.problem.language.expression import Quantity
+from planar_cli.problem.scene.scene import Problem
+from planar_cli.report.document.blocks import Forces, Inline, Line, Math, line
+from planar_cli.report.document.marks import Arrow, Mark, Panel, Turn
+from planar_cli.report.notation.names import plain_name
+from planar_cli.report.notation.numbers import rotation_words
+from planar_cli.solve.between.trace.trace import ImpactEquation, MotionTrace, RegimeTrace, RouteStep
 from planar_cli.solve.instant.worked import unknowns_of
 from planar_cli.solve.solution import InstantSolution
 from planar_cli.solve.solved_problem import PartSolution, Solution

@@ -24,14 +24,14 @@ from planar_cli.figures.springs import settled
 from planar_cli.figures.surfaces import surface_marks
 from planar_cli.figures.unguided import is_idle, led_blocks
 from planar_cli.figures.within import within
-from planar_cli.motion.curves import Formula, formula_of
-from planar_cli.problem.entry import Entry
-from planar_cli.problem.geometry import Vec
-from planar_cli.problem.scene import Body, Curve, Round, Surface
-from planar_cli.problem.shapes import rim_of
-from planar_cli.report.blocks import Name, line
-from planar_cli.report.film import Film, Thing
-from planar_cli.report.marks import Coil, Hatched, Mark, Polyline, Slot, Spot, Symbol, Tag, spots_of
+from planar_cli.motion.scene.curves import Formula, formula_of
+from planar_cli.problem.scene.entry import Entry
+from planar_cli.problem.scene.geometry import Vec
+from planar_cli.problem.scene.scene import Body, Curve, Round, Surface
+from planar_cli.problem.scene.shapes import rim_of
+from planar_cli.report.document.blocks import Name, line
+from planar_cli.report.document.film import Film, Thing
+from planar_cli.report.document.marks import Coil, Hatched, Mark, Polyline, Slot, Spot, Symbol, Tag, spots_of
 from planar_cli.simulate.run import Run
 
 FEWEST, MOST, EACH_SECOND = 60, 240, 25

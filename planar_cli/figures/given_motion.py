@@ -9,17 +9,17 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Protocol
 
-from planar_cli.equation.motion import Motion
+from planar_cli.equation.kinematics.motion import Motion
 from planar_cli.figures.angles import angle_from_its_zero
 from planar_cli.figures.drawn import TINY, Drawn, size_of, words_of
 from planar_cli.figures.partners import pivot_of
-from planar_cli.problem.expression import PointPair, Quantity, Relation, Side
-from planar_cli.problem.facts import Push
-from planar_cli.problem.geometry import Vec
-from planar_cli.problem.scene import GROUND, Problem
+from planar_cli.problem.language.expression import PointPair, Quantity, Relation, Side
+from planar_cli.problem.scene.facts import Push
+from planar_cli.problem.scene.geometry import Vec
+from planar_cli.problem.scene.scene import GROUND, Problem
 from planar_cli.records import record
-from planar_cli.report.blocks import Name, line
-from planar_cli.report.marks import Arrow, Mark, Spot, Style, Turn
+from planar_cli.report.document.blocks import Name, line
+from planar_cli.report.document.marks import Arrow, Mark, Spot, Style, Turn
 from planar_cli.solve.solution import InstantSolution
 
 VECTORS: Mapping[str, Style] = {"v": "velocity", "a": "acceleration"}

@@ -12,19 +12,19 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.equation.setup import Setup
-from planar_cli.equation.system import Statements
+from planar_cli.equation.system.setup import Setup
+from planar_cli.equation.system.system import Statements
 from planar_cli.errors import PlanarError
 from planar_cli.figures.arrangement import arranged
 from planar_cli.figures.broken import scene
 from planar_cli.figures.drawn import Drawn, words_of
-from planar_cli.problem import expression
-from planar_cli.problem.placeholders import PLACEHOLDER
-from planar_cli.problem.scene import Problem
-from planar_cli.problem.walk import walk
+from planar_cli.problem.language import expression
+from planar_cli.problem.language.walk import walk
+from planar_cli.problem.nodes.placeholders import PLACEHOLDER
+from planar_cli.problem.scene.scene import Problem
 from planar_cli.records import record
-from planar_cli.report.blocks import Inline, Line, Math, Name, Text
-from planar_cli.report.marks import Arrow, Axes, Dimension, Figure, Mark, Panel, Symbol, Tag, Turn
+from planar_cli.report.document.blocks import Inline, Line, Math, Name, Text
+from planar_cli.report.document.marks import Arrow, Axes, Dimension, Figure, Mark, Panel, Symbol, Tag, Turn
 
 MOTION = ("velocity", "acceleration")
 

@@ -10,10 +10,10 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.partners import sketch_of
-from planar_cli.problem.geometry import Vec
-from planar_cli.problem.scene import Body, Particle, Round
-from planar_cli.problem.sketches import Absorber, Bar, Cord, Hinge, Sketch, Slide, Spiral
-from planar_cli.report.marks import Mark, Polyline, Spot, Symbol
+from planar_cli.problem.scene.geometry import Vec
+from planar_cli.problem.scene.scene import Body, Particle, Round
+from planar_cli.problem.scene.sketches import Absorber, Bar, Cord, Hinge, Sketch, Slide, Spiral
+from planar_cli.report.document.marks import Mark, Polyline, Spot, Symbol
 
 NEAR = 1e-9
 HOOK = 1.6

@@ -14,8 +14,8 @@ from planar_cli.figures.rings import off, way_of
 from planar_cli.figures.shapes import moved
 from planar_cli.figures.springs import Strut
 from planar_cli.joints.base import Joint
-from planar_cli.problem.sketches import Absorber, Bar, Cord, Spiral
-from planar_cli.report.marks import Arc, Mark, Polyline, Spot, Symbol
+from planar_cli.problem.scene.sketches import Absorber, Bar, Cord, Spiral
+from planar_cli.report.document.marks import Arc, Mark, Polyline, Spot, Symbol
 
 WAVES, SWING = 3, 0.05
 """A slack rope hangs in so many waves, and so far to the side in parts of its length."""

@@ -14,7 +14,7 @@ from planar_cli.figures.followed import asked_over_time, motion_figure
 from planar_cli.figures.particle_vectors import vector_figures
 from planar_cli.figures.polygons import polygons, polygons_of_states
 from planar_cli.figures.scenes import Scenes
-from planar_cli.report.blocks import (
+from planar_cli.report.document.blocks import (
     Answer,
     Block,
     Check,
@@ -26,10 +26,10 @@ from planar_cli.report.blocks import (
     Paragraph,
     Table,
 )
-from planar_cli.report.graphs import Curve, Graph
-from planar_cli.report.marks import Figure
-from planar_cli.report.mentioned import names_in
-from planar_cli.report.read_off import INTEGRATED, UNIFORM_MOTION
+from planar_cli.report.document.graphs import Curve, Graph
+from planar_cli.report.document.marks import Figure
+from planar_cli.report.document.mentioned import names_in
+from planar_cli.report.motion.read_off import INTEGRATED, UNIFORM_MOTION
 from planar_cli.solve.solved_problem import Solution
 
 POLYGONS = ("velocities", "accelerations")

@@ -1,4 +1,4 @@
-"""Joints and loads as they are drawn: what each kind says of its looks (problem/sketches.py), in numbers."""
+"""Joints and loads as they are drawn: what each kind says of its looks (problem/scene/sketches.py), in numbers."""
 
 from __future__ import annotations
 
@@ -13,10 +13,11 @@ from planar_cli.figures.partners import pivot_of
 from planar_cli.figures.rings import extent_of
 from planar_cli.figures.ropes import Stop, cord_marks, straight
 from planar_cli.figures.shapes import moved
-from planar_cli.problem.expression import Name, Quantity, Side
-from planar_cli.problem.keys import Table
-from planar_cli.problem.scene import Particle
-from planar_cli.problem.sketches import (
+from planar_cli.problem.language.expression import Name, Quantity, Side
+from planar_cli.problem.language.walk import walk
+from planar_cli.problem.scene.keys import Table
+from planar_cli.problem.scene.scene import Particle
+from planar_cli.problem.scene.sketches import (
     Absorber,
     Bar,
     Cord,
@@ -29,9 +30,8 @@ from planar_cli.problem.sketches import (
     Spiral,
     Twist,
 )
-from planar_cli.problem.walk import walk
-from planar_cli.report.blocks import Line
-from planar_cli.report.marks import Arrow, Coil, Dashpot, Mark, Polyline, Spot, Symbol, Turn
+from planar_cli.report.document.blocks import Line
+from planar_cli.report.document.marks import Arrow, Coil, Dashpot, Mark, Polyline, Spot, Symbol, Turn
 
 CORD = 0.6
 """So long is the cord at whose end something pulls, in parts of the scene."""

@@ -10,10 +10,10 @@ from collections.abc import Iterator, Mapping
 from planar_cli.figures.angles import angle_from_its_zero
 from planar_cli.figures.positions import Later
 from planar_cli.figures.rings import extent_of
-from planar_cli.problem.expression import Number, Quantity, Relation, Side
-from planar_cli.problem.scene import Line, Particle, Problem
-from planar_cli.problem.walk import walk
-from planar_cli.report.marks import Angle, Hatched, Mark, Spot
+from planar_cli.problem.language.expression import Number, Quantity, Relation, Side
+from planar_cli.problem.language.walk import walk
+from planar_cli.problem.scene.scene import Line, Particle, Problem
+from planar_cli.report.document.marks import Angle, Hatched, Mark, Spot
 
 AXES = ("x", "y")
 NEAR = 1e-6

@@ -7,7 +7,7 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from planar_cli.report.marks import Arrow, Mark
+from planar_cli.report.document.marks import Arrow, Mark
 
 LANE = 11.0
 """So far apart they are on paper, px."""

@@ -10,11 +10,11 @@ from itertools import pairwise
 
 import sympy as sp
 
-from planar_cli.equation.exact import FUNCTIONS
+from planar_cli.equation.values.exact import FUNCTIONS
 from planar_cli.integrators.base import OUTSIDE
-from planar_cli.problem.walk import is_endless
+from planar_cli.problem.language.walk import is_endless
 from planar_cli.records import record
-from planar_cli.solve.between.trace import MotionTrace
+from planar_cli.solve.between.trace.trace import MotionTrace
 from planar_cli.solve.law import Law
 
 AGREES = 1e-6

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 
-from planar_cli.equation.bodies import BodyModel
+from planar_cli.equation.scene.bodies import BodyModel
 from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.partners import sketch_of
 from planar_cli.figures.rings import SMOOTH, Ring, moved_by
-from planar_cli.problem.sketches import Push
+from planar_cli.problem.scene.sketches import Push
 
 
 def led(rest: Drawn, body: BodyModel) -> Ring:

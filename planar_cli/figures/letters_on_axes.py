@@ -10,9 +10,9 @@ from dataclasses import replace
 import sympy as sp
 
 from planar_cli.figures.laws_traced import Instant, Traced
-from planar_cli.report.blocks import Line, Name, line
-from planar_cli.report.graphs import Scaled
-from planar_cli.solve.between.trace import MotionTrace
+from planar_cli.report.document.blocks import Line, Name, line
+from planar_cli.report.document.graphs import Scaled
+from planar_cli.solve.between.trace.trace import MotionTrace
 
 SOME = "drawn for some values of the letters"
 BEYOND, NEAR = 0.08, 1e-9

@@ -20,13 +20,25 @@ from planar_cli.figures.shapes import body_marks, moved
 from planar_cli.figures.slopes import slope_angles
 from planar_cli.figures.sought import in_waves, sought
 from planar_cli.figures.stated import is_stated
-from planar_cli.problem.expression import Name as Letter
-from planar_cli.problem.expression import Side
-from planar_cli.problem.scene import At, Body, Particle, Plate, Point, Polar, Problem, Rod, Round, Towards, TwoFacts
-from planar_cli.problem.shapes import rim_of
-from planar_cli.problem.walk import walk
-from planar_cli.report.blocks import Line, Name, line
-from planar_cli.report.marks import Angle, Dimension, Mark, Polyline, Spot, Tag
+from planar_cli.problem.language.expression import Name as Letter
+from planar_cli.problem.language.expression import Side
+from planar_cli.problem.language.walk import walk
+from planar_cli.problem.scene.scene import (
+    At,
+    Body,
+    Particle,
+    Plate,
+    Point,
+    Polar,
+    Problem,
+    Rod,
+    Round,
+    Towards,
+    TwoFacts,
+)
+from planar_cli.problem.scene.shapes import rim_of
+from planar_cli.report.document.blocks import Line, Name, line
+from planar_cli.report.document.marks import Angle, Dimension, Mark, Polyline, Spot, Tag
 
 RIGHT = math.pi / 2
 NEAR = 1e-6

@@ -12,9 +12,9 @@ from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.rings import ends_of, extent_of, way_of
 from planar_cli.figures.shapes import moved
 from planar_cli.records import record
-from planar_cli.report.blocks import Block, Forces, Heading, Name, Paragraph, Text, Way, line
-from planar_cli.report.marks import Arrow, Mark, Panel, Polyline, Spot, Symbol, Tag, spots_of
-from planar_cli.report.pointing import told_centres
+from planar_cli.report.document.blocks import Block, Forces, Heading, Name, Paragraph, Text, Way, line
+from planar_cli.report.document.marks import Arrow, Mark, Panel, Polyline, Spot, Symbol, Tag, spots_of
+from planar_cli.report.words.pointing import told_centres
 
 ON = 1e-6
 """What passes a place at this part of the distance to it passes through it."""

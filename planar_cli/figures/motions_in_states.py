@@ -6,7 +6,7 @@ from planar_cli.errors import NoValue
 from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.given_motion import Found
 from planar_cli.figures.polygons import with_all_numbers
-from planar_cli.report.at_state import placed
+from planar_cli.report.instant.at_state import placed
 from planar_cli.solve.solved_problem import PartSolution
 
 

@@ -8,9 +8,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.rings import Ring, circle, extent_of, inside, sides
 from planar_cli.figures.shapes import body_marks, moved
-from planar_cli.problem.scene import Particle, Problem
-from planar_cli.report.blocks import line
-from planar_cli.report.marks import Arc, Mark, Polyline, Spot, Tag
+from planar_cli.problem.scene.scene import Particle, Problem
+from planar_cli.report.document.blocks import line
+from planar_cli.report.document.marks import Arc, Mark, Polyline, Spot, Tag
 
 CLEAR = 0.08
 """As far from other bodies, in parts of the scene, a name is beside nothing but its own."""

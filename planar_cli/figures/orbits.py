@@ -9,8 +9,8 @@ from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
 from planar_cli.figures.motions_in_states import moving_in
-from planar_cli.problem.scene import GROUND
-from planar_cli.report.marks import Mark, Polyline, Spot
+from planar_cli.problem.scene.scene import GROUND
+from planar_cli.report.document.marks import Mark, Polyline, Spot
 from planar_cli.solve.solved_problem import PartSolution
 
 STEPS = 120

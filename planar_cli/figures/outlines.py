@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 
-from planar_cli.equation.bodies import BodyModel
+from planar_cli.equation.scene.bodies import BodyModel
 from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.led import led
 from planar_cli.figures.partners import between, only_pushed, partners, sketch_of, touching
@@ -30,11 +30,11 @@ from planar_cli.figures.rings import (
 )
 from planar_cli.figures.standing import LEVEL, Face, Known, standing
 from planar_cli.joints.base import Joint
-from planar_cli.problem.scene import Body, Line, Outline, Particle, Problem, Surface
-from planar_cli.problem.shapes import rim_of
-from planar_cli.problem.sketches import Slide
+from planar_cli.problem.scene.scene import Body, Line, Outline, Particle, Problem, Surface
+from planar_cli.problem.scene.shapes import rim_of
+from planar_cli.problem.scene.sketches import Slide
 from planar_cli.records import record
-from planar_cli.report.marks import Spot
+from planar_cli.report.document.marks import Spot
 
 MARGIN, LEAST = 0.12, 0.05
 """How far an outline goes beyond what it holds: in parts of its own size, and at least in parts of the scene's."""

@@ -7,13 +7,13 @@ from dataclasses import replace
 from itertools import groupby
 
 from planar_cli.base_units import in_base
-from planar_cli.problem.expression import Name as Letter
-from planar_cli.problem.expression import Part, Quantity, Side
+from planar_cli.problem.language.expression import Name as Letter
+from planar_cli.problem.language.expression import Part, Quantity, Side
 from planar_cli.records import record
-from planar_cli.report.blocks import Line, Name, Text, line
-from planar_cli.report.graphs import Curve, Dot, Graph, Scaled, Spot
-from planar_cli.report.sides import said
-from planar_cli.report.spoken import spoken
+from planar_cli.report.document.blocks import Line, Name, Text, line
+from planar_cli.report.document.graphs import Curve, Dot, Graph, Scaled, Spot
+from planar_cli.report.words.sides import said
+from planar_cli.report.words.spoken import spoken
 from planar_cli.simulate.measures import LATER
 from planar_cli.simulate.run import Run
 from planar_cli.simulate.sampled import Sampled, sampled

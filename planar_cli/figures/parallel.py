@@ -18,14 +18,14 @@ from planar_cli.figures.drawn import AS_WRITTEN, Beside, Drawn
 from planar_cli.figures.partners import sketch_of
 from planar_cli.figures.rings import extent_of
 from planar_cli.joints.base import Joint
-from planar_cli.motion.carried import Place
-from planar_cli.motion.scene import MovingScene
-from planar_cli.problem.entry import Entry
-from planar_cli.problem.geometry import Vec
-from planar_cli.problem.scene import GROUND, Line, Round
-from planar_cli.problem.sketches import Cord, Slide
+from planar_cli.motion.scene.carried import Place
+from planar_cli.motion.scene.scene import MovingScene
+from planar_cli.problem.scene.entry import Entry
+from planar_cli.problem.scene.geometry import Vec
+from planar_cli.problem.scene.scene import GROUND, Line, Round
+from planar_cli.problem.scene.sketches import Cord, Slide
 from planar_cli.records import record
-from planar_cli.report.marks import Spot
+from planar_cli.report.document.marks import Spot
 
 FIRM, ALIKE, SHEAVE = 1e4, 2.0, 0.1
 """How much more than to move a body it costs to bend a rope; to have pulleys of unlike sizes; to have one of several

@@ -18,14 +18,14 @@ from planar_cli.figures.partners import is_slot, touching
 from planar_cli.figures.point_paths import way_of_point
 from planar_cli.figures.rings import extent_of
 from planar_cli.figures.shapes import moved
-from planar_cli.problem.expression import Quantity
-from planar_cli.problem.geometry import Vec
-from planar_cli.problem.scene import GROUND
-from planar_cli.problem.scene import Line as Straight
+from planar_cli.problem.language.expression import Quantity
+from planar_cli.problem.scene.geometry import Vec
+from planar_cli.problem.scene.scene import GROUND
+from planar_cli.problem.scene.scene import Line as Straight
 from planar_cli.records import record
-from planar_cli.report.blocks import Line, Name, line
-from planar_cli.report.marks import Arrow, Figure, Mark, Panel, Polyline, Span, Spot, Style, Symbol, Tag
-from planar_cli.report.names import index_of
+from planar_cli.report.document.blocks import Line, Name, line
+from planar_cli.report.document.marks import Arrow, Figure, Mark, Panel, Polyline, Span, Spot, Style, Symbol, Tag
+from planar_cli.report.notation.names import index_of
 from planar_cli.solve.solution import Found
 from planar_cli.solve.solved_problem import PartSolution
 

@@ -9,11 +9,11 @@ import sympy as sp
 from planar_cli.errors import PlanarError
 from planar_cli.figures.drawn import Drawn
 from planar_cli.joints.base import Joint
-from planar_cli.problem import expression
-from planar_cli.problem.entry import Entry
-from planar_cli.problem.scene import Line, Particle, Problem, Surface
-from planar_cli.problem.sketches import Hinge, Sketch
-from planar_cli.report.marks import Spot
+from planar_cli.problem.language import expression
+from planar_cli.problem.scene.entry import Entry
+from planar_cli.problem.scene.scene import Line, Particle, Problem, Surface
+from planar_cli.problem.scene.sketches import Hinge, Sketch
+from planar_cli.report.document.marks import Spot
 
 
 def touching(problem: Problem, surface: Surface, joints: Sequence[Joint] | None = None) -> Iterator[str]:

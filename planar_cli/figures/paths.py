@@ -13,14 +13,14 @@ import sympy as sp
 from planar_cli.errors import PlanarError
 from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.shapes import moved
-from planar_cli.motion.regime import Regime
-from planar_cli.problem.expression import Quantity, Relation, Side
-from planar_cli.problem.geometry import Vec
-from planar_cli.report.marks import Spot
-from planar_cli.solve.between.trace import MotionTrace, RegimeTrace
+from planar_cli.motion.regime.regime import Regime
+from planar_cli.problem.language.expression import Quantity, Relation, Side
+from planar_cli.problem.scene.geometry import Vec
+from planar_cli.report.document.marks import Spot
+from planar_cli.solve.between.trace.trace import MotionTrace, RegimeTrace
 
 if TYPE_CHECKING:
-    from planar_cli.equation.scene import Scene
+    from planar_cli.equation.scene.scene import Scene
     from planar_cli.simulate.run import Run
     from planar_cli.solve.law import Law
 

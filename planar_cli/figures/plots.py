@@ -12,12 +12,12 @@ from types import MappingProxyType
 from planar_cli.errors import FileProblem, PlanarError
 from planar_cli.figures.cut_off import cut_off
 from planar_cli.figures.over_time import MOMENTS, Plotted, is_at, over_time, plotted, reached, unit_words, words_of
-from planar_cli.problem.check_dimensions import Kinds
-from planar_cli.problem.expression import Part, Quantity, Side
-from planar_cli.problem.scope import Scope
-from planar_cli.report.blocks import Line, Name, line
-from planar_cli.report.graphs import Curve, Dot, Graph, Scaled, Spot
-from planar_cli.report.marks import Figure, Panel
+from planar_cli.problem.checks.check_dimensions import Kinds
+from planar_cli.problem.checks.scope import Scope
+from planar_cli.problem.language.expression import Part, Quantity, Side
+from planar_cli.report.document.blocks import Line, Name, line
+from planar_cli.report.document.graphs import Curve, Dot, Graph, Scaled, Spot
+from planar_cli.report.document.marks import Figure, Panel
 from planar_cli.simulate.answers import usual_unit
 from planar_cli.simulate.energies import energies
 from planar_cli.simulate.report import Motion

@@ -8,14 +8,14 @@ from itertools import pairwise
 
 import sympy as sp
 
-from planar_cli.equation.curves import curve_place
+from planar_cli.equation.scene.curves import curve_place
 from planar_cli.figures.asked_curves import whole_paths
 from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.orbits import orbit
 from planar_cli.figures.paths import course_of, curve_of, path_of
-from planar_cli.problem.geometry import Vec
-from planar_cli.problem.scene import GROUND, Circle, Curve
-from planar_cli.report.marks import Spot
+from planar_cli.problem.scene.geometry import Vec
+from planar_cli.problem.scene.scene import GROUND, Circle, Curve
+from planar_cli.report.document.marks import Spot
 from planar_cli.solve.solved_problem import PartSolution
 
 ROUND, STEPS = 96, 48

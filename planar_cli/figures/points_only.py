@@ -7,12 +7,12 @@ from collections.abc import Iterator, Mapping
 from itertools import combinations
 
 from planar_cli.figures.drawn import Drawn
-from planar_cli.problem.expression import Name as Letter
-from planar_cli.problem.expression import Quantity, Side
-from planar_cli.problem.scene import At, Point, Polar, Towards, TwoFacts
-from planar_cli.problem.walk import walk
-from planar_cli.report.blocks import Name, line
-from planar_cli.report.marks import Mark, Polyline, Span, Spot
+from planar_cli.problem.language.expression import Name as Letter
+from planar_cli.problem.language.expression import Quantity, Side
+from planar_cli.problem.language.walk import walk
+from planar_cli.problem.scene.scene import At, Point, Polar, Towards, TwoFacts
+from planar_cli.report.document.blocks import Name, line
+from planar_cli.report.document.marks import Mark, Polyline, Span, Spot
 
 NEAR = 1e-9
 

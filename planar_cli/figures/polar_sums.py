@@ -13,7 +13,7 @@ import sympy as sp
 
 from planar_cli.figures.vector_terms import Sum, Term
 from planar_cli.records import record
-from planar_cli.report.blocks import Block, Equation, Inline, Line, Math, Name, Paragraph, Text, line
+from planar_cli.report.document.blocks import Block, Equation, Inline, Line, Math, Name, Paragraph, Text, line
 
 POLES = (
     re.compile(r"^(?P<place>\S+) in polar coordinates about (?P<pole>[^\s,]+),"),

@@ -16,9 +16,9 @@ from planar_cli.figures.rings import off, way_of
 from planar_cli.figures.vector_sums import vector_sums
 from planar_cli.figures.vector_terms import Sum, Term
 from planar_cli.figures.vector_values import Closed, Values
-from planar_cli.report.blocks import Block, Inline, Line, Math, Name, Text, line
-from planar_cli.report.marks import Figure, Mark, Panel, Span, Spot, Style, Symbol, Tag
-from planar_cli.solve.between.trace import MotionTrace
+from planar_cli.report.document.blocks import Block, Inline, Line, Math, Name, Text, line
+from planar_cli.report.document.marks import Figure, Mark, Panel, Span, Spot, Style, Symbol, Tag
+from planar_cli.solve.between.trace.trace import MotionTrace
 from planar_cli.solve.instant.worked import unknowns_of
 from planar_cli.solve.solution import InstantSolution
 
@@ -114,7 +114,7 @@ def _by_scales(panels: Sequence[Panel], letter: str) -> Iterator[Figure]:
 def _closed_in(page: Sequence[Block], own: Collection[str], motion: MotionTrace, state: str) -> Iterator[list[Closed]]:
     """The sums in a state, by each of the regimes that begin or end there."""
     # Few pages have them.
-    from planar_cli.report.at_state import placed
+    from planar_cli.report.instant.at_state import placed
 
     for regime in motion.regimes:
         if any(state in stretch for stretch in regime.stretches):

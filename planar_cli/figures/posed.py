@@ -8,13 +8,13 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.equation.bodies import BodyModel
+from planar_cli.equation.scene.bodies import BodyModel
 from planar_cli.figures.carried import Pose
 from planar_cli.figures.drawn import AS_WRITTEN, Beside, Drawn
 from planar_cli.integrators.base import OUTSIDE
-from planar_cli.motion.scene import MovingScene
-from planar_cli.motion.terms import Term, ordered
-from planar_cli.problem.scene import GROUND, Body
+from planar_cli.motion.scene.scene import MovingScene
+from planar_cli.motion.terms.terms import Term, ordered
+from planar_cli.problem.scene.scene import GROUND, Body
 
 
 class Posed(Drawn):

@@ -22,14 +22,14 @@ from planar_cli.figures.posed import Posed, variables_of
 from planar_cli.figures.rings import extent_of, moved_by
 from planar_cli.figures.shapes import body_marks
 from planar_cli.figures.ways import in_shape, lower_by, lowered, round_a_tie
-from planar_cli.problem.entry import Entry
-from planar_cli.problem.expression import Quantity
-from planar_cli.problem.scene import GROUND, Line, Problem, Round
-from planar_cli.problem.sketches import Sketch, Slide
+from planar_cli.problem.language.expression import Quantity
+from planar_cli.problem.scene.entry import Entry
+from planar_cli.problem.scene.scene import GROUND, Line, Problem, Round
+from planar_cli.problem.scene.sketches import Sketch, Slide
 from planar_cli.records import record
-from planar_cli.report.blocks import Name, line
-from planar_cli.report.marks import Arc, Coil, Dashpot, Mark, Polyline, Spot, Symbol, Tag, spots_of
-from planar_cli.solve.between.trace import MotionTrace
+from planar_cli.report.document.blocks import Name, line
+from planar_cli.report.document.marks import Arc, Coil, Dashpot, Mark, Polyline, Spot, Symbol, Tag, spots_of
+from planar_cli.solve.between.trace.trace import MotionTrace
 from planar_cli.solve.solution import InstantSolution
 
 if TYPE_CHECKING:

@@ -6,13 +6,13 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from planar_cli.equation.bodies import BodyModel
+from planar_cli.equation.scene.bodies import BodyModel
 from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.partners import sketch_of
 from planar_cli.figures.ropes import Strand, strands
 from planar_cli.figures.shapes import moved
-from planar_cli.problem.sketches import Cord
-from planar_cli.report.marks import Arc, Arrow, Mark, Spot
+from planar_cli.problem.scene.sketches import Cord
+from planar_cli.report.document.marks import Arc, Arrow, Mark, Spot
 
 HERE = 1e-6
 """Places that are no farther apart, m, are one."""

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise
 
-from planar_cli.report.marks import Spot
+from planar_cli.report.document.marks import Spot
 
 Ring = list[Spot]
 SMOOTH = 36

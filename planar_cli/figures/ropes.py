@@ -12,10 +12,10 @@ from planar_cli.figures.hanging import in_its_loop
 from planar_cli.figures.partners import between, sketch_of
 from planar_cli.figures.rings import extent_of, moved_by, turn, way_of
 from planar_cli.figures.shapes import moved
-from planar_cli.problem.scene import Particle, Round
-from planar_cli.problem.sketches import Bar, Cord, CordStop
+from planar_cli.problem.scene.scene import Particle, Round
+from planar_cli.problem.scene.sketches import Bar, Cord, CordStop
 from planar_cli.records import record
-from planar_cli.report.marks import Arc, Mark, Polyline, Spot, Symbol
+from planar_cli.report.document.marks import Arc, Mark, Polyline, Spot, Symbol
 
 BENT, PLUMB = math.radians(20), 1e-6
 """Half of the angle between two parts of a rope from which on its wheel stands within its bend; the cosine up to which

@@ -9,7 +9,7 @@ from planar_cli.figures.arrangement import arrangement, followed_arrangement
 from planar_cli.figures.asked_curves import whole_paths
 from planar_cli.figures.broken import scene
 from planar_cli.figures.rings import extent_of
-from planar_cli.report.marks import (
+from planar_cli.report.document.marks import (
     Arc,
     Axes,
     Coil,

@@ -7,14 +7,14 @@ from collections.abc import Iterator
 from functools import singledispatch
 from typing import Any
 
-from planar_cli.equation.bodies import BodyModel
+from planar_cli.equation.scene.bodies import BodyModel
 from planar_cli.figures.axes_of_turning import axis_marks, is_axis
 from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.outlines import outlines
 from planar_cli.figures.partners import between
 from planar_cli.figures.rings import around, way_of
-from planar_cli.problem.scene import Composite, Outline, Particle, Plate, Rod, Round, Sector
-from planar_cli.report.marks import Arc, Mark, Polyline, Spot, Style, Symbol
+from planar_cli.problem.scene.scene import Composite, Outline, Particle, Plate, Rod, Round, Sector
+from planar_cli.report.document.marks import Arc, Mark, Polyline, Spot, Style, Symbol
 
 HOOP = "ring"
 ASIDE = 1e-6

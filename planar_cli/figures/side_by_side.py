@@ -7,7 +7,7 @@ from __future__ import annotations
 import math
 from collections.abc import Collection, Iterator, Mapping, Sequence
 
-from planar_cli.equation.meeting import meeting_of
+from planar_cli.equation.scene.meeting import meeting_of
 from planar_cli.errors import PlanarError
 from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.given_motion import Moving, Told
@@ -15,9 +15,9 @@ from planar_cli.figures.partners import sketch_of
 from planar_cli.figures.rings import extent_of
 from planar_cli.figures.shapes import body_marks, moved
 from planar_cli.joints.base import Joint
-from planar_cli.problem.scene import Composite, Particle
-from planar_cli.problem.sketches import Slide
-from planar_cli.report.marks import Spot, Symbol, spots_of
+from planar_cli.problem.scene.scene import Composite, Particle
+from planar_cli.problem.scene.sketches import Slide
+from planar_cli.report.document.marks import Spot, Symbol, spots_of
 
 DOT, BOX, EDGE = 5.5, 13.0, 7.5
 """Half of how far apart they are drawn, on paper; of those that slide in a guide; and how far beside a body."""

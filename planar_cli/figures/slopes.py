@@ -10,8 +10,8 @@ from planar_cli.figures.angles import angle_from_its_zero
 from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.outlines import outlines
 from planar_cli.figures.rings import way_of
-from planar_cli.problem.scene import Line, Surface
-from planar_cli.report.marks import Angle, Spot
+from planar_cli.problem.scene.scene import Line, Surface
+from planar_cli.report.document.marks import Angle, Spot
 
 NEAR = 1e-6
 WIDE = 46.0

@@ -13,14 +13,14 @@ import sympy as sp
 from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.partners import between
 from planar_cli.figures.rings import way_of
-from planar_cli.problem.expression import Function, Name, Side
-from planar_cli.problem.geometry import Vec
-from planar_cli.problem.scene import GROUND, At, Point, Rod, TwoFacts
-from planar_cli.problem.walk import walk
+from planar_cli.problem.language.expression import Function, Name, Side
+from planar_cli.problem.language.walk import walk
+from planar_cli.problem.scene.geometry import Vec
+from planar_cli.problem.scene.scene import GROUND, At, Point, Rod, TwoFacts
 from planar_cli.records import record
-from planar_cli.report.blocks import Name as Letter
-from planar_cli.report.blocks import line
-from planar_cli.report.marks import Angle, Dimension, Spot
+from planar_cli.report.document.blocks import Name as Letter
+from planar_cli.report.document.blocks import line
+from planar_cli.report.document.marks import Angle, Dimension, Spot
 
 NEAR = 1e-9
 RIGHT = math.pi / 2

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from planar_cli.figures.rings import inside, meets, off, way_of
-from planar_cli.report.marks import Coil, Dashpot, Mark, Polyline, Spot, Symbol
+from planar_cli.report.document.marks import Coil, Dashpot, Mark, Polyline, Spot, Symbol
 
 LANE = 20.0
 """So far apart are two between the same places, px."""

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from planar_cli.figures.rings import Ring, around, left_of, off
 from planar_cli.records import record
-from planar_cli.report.marks import Spot
+from planar_cli.report.document.marks import Spot
 
 LEVEL = math.radians(8)
 """A face that rises by less than this above what the body stands on is a deck."""

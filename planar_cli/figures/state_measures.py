@@ -11,13 +11,13 @@ from planar_cli.figures.landings import coordinate, landing_marks, spot_of
 from planar_cli.figures.positions import Later
 from planar_cli.figures.rings import moved_by, turned_by
 from planar_cli.figures.turned_through import turned_through
-from planar_cli.problem.expression import Binary, Number, Quantity, Relation, Side
-from planar_cli.problem.scene import Problem
-from planar_cli.problem.scene import State as Written
-from planar_cli.problem.walk import walk
-from planar_cli.report.blocks import Line as Words
-from planar_cli.report.blocks import Name, line
-from planar_cli.report.marks import Dimension, Mark, Polyline, Spot, Tag
+from planar_cli.problem.language.expression import Binary, Number, Quantity, Relation, Side
+from planar_cli.problem.language.walk import walk
+from planar_cli.problem.scene.scene import Problem
+from planar_cli.problem.scene.scene import State as Written
+from planar_cli.report.document.blocks import Line as Words
+from planar_cli.report.document.blocks import Name, line
+from planar_cli.report.document.marks import Dimension, Mark, Polyline, Spot, Tag
 
 NEAR, BENT = 1e-6, 1.001
 """A way that is longer than this, in parts of the straight one, is bent."""

@@ -5,9 +5,9 @@ from __future__ import annotations
 import re
 from decimal import Decimal
 
-from planar_cli.problem.expression import Number, Side
-from planar_cli.problem.scene import Problem
-from planar_cli.problem.walk import walk
+from planar_cli.problem.language.expression import Number, Side
+from planar_cli.problem.language.walk import walk
+from planar_cli.problem.scene.scene import Problem
 
 NUMBER = re.compile(
     r"(?<![\w.])(\d+(?:\.\d+)?)(?!\.?\d)(?!\s*[a-z]+/)(?!\s*-?(?:rad|deg|rev|rpm|t|k?g|k?N|k?J|k?W|m?s|min|h|lb|lbf|k?Hz|%)\b)"

@@ -11,7 +11,7 @@ from dataclasses import replace
 
 from planar_cli.figures.rings import across, extent_of, off, way_of
 from planar_cli.figures.shapes import moved
-from planar_cli.report.marks import Angle, Arc, Arrow, Hatched, Mark, Polyline, Spot, Symbol, spots_of
+from planar_cli.report.document.marks import Angle, Arc, Arrow, Hatched, Mark, Polyline, Spot, Symbol, spots_of
 
 MIDDLE = 10.4
 """The middle of a block is so far above its foot, px."""

@@ -7,15 +7,15 @@ from collections.abc import Iterator, Sequence
 
 import sympy as sp
 
-from planar_cli.equation.curves import carrier_pose, curve_place
+from planar_cli.equation.scene.curves import carrier_pose, curve_place
 from planar_cli.errors import PlanarError
 from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.partners import between, is_lane, leads
 from planar_cli.figures.rings import side_of
 from planar_cli.figures.shapes import moved
-from planar_cli.problem.geometry import Vec
-from planar_cli.problem.scene import Circle, Curve, Line, Surface
-from planar_cli.report.marks import Arc, Hatched, Mark, Polyline, Spot, spots_of
+from planar_cli.problem.scene.geometry import Vec
+from planar_cli.problem.scene.scene import Circle, Curve, Line, Surface
+from planar_cli.report.document.marks import Arc, Hatched, Mark, Polyline, Spot, spots_of
 
 BEYOND = 0.25
 """A line goes on behind the last place on it by this part of the size of the scene."""

@@ -8,10 +8,10 @@ from collections.abc import Iterator, Mapping
 from planar_cli.figures.partners import pivot_of
 from planar_cli.figures.positions import Later
 from planar_cli.figures.rings import way_of
-from planar_cli.problem.expression import Binary, Quantity, Side
-from planar_cli.problem.scene import Problem
-from planar_cli.report.blocks import Name, line
-from planar_cli.report.marks import Angle
+from planar_cli.problem.language.expression import Binary, Quantity, Side
+from planar_cli.problem.scene.scene import Problem
+from planar_cli.report.document.blocks import Name, line
+from planar_cli.report.document.marks import Angle
 
 WIDE = 46.0
 """The radius of their arcs, px: beyond that of an angle from an axis."""

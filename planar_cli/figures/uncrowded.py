@@ -6,8 +6,8 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 
-from planar_cli.report.blocks import Name
-from planar_cli.report.marks import Angle, Dimension, Mark, Tag
+from planar_cli.report.document.blocks import Name
+from planar_cli.report.document.marks import Angle, Dimension, Mark, Tag
 
 MANY = 30
 """More words than these cannot be read beside what they name."""

@@ -12,11 +12,11 @@ from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.partners import between, sketch_of
 from planar_cli.figures.rings import off
 from planar_cli.joints.base import Joint
-from planar_cli.problem.entry import Entry
-from planar_cli.problem.geometry import Vec
-from planar_cli.problem.scene import Particle
-from planar_cli.problem.sketches import Absorber, Bar, Cord, Fastening, Hinge, Push, Sketch, Slide, Spiral
-from planar_cli.report.marks import Spot, Symbol
+from planar_cli.problem.scene.entry import Entry
+from planar_cli.problem.scene.geometry import Vec
+from planar_cli.problem.scene.scene import Particle
+from planar_cli.problem.scene.sketches import Absorber, Bar, Cord, Fastening, Hinge, Push, Sketch, Slide, Spiral
+from planar_cli.report.document.marks import Spot, Symbol
 
 NEAR = 1e-6
 UPRIGHT = 0.05

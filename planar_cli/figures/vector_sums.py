@@ -9,7 +9,7 @@ import sympy as sp
 
 from planar_cli.figures.polar_sums import polar_sums
 from planar_cli.figures.vector_terms import Kind, Sum, Term
-from planar_cli.report.blocks import Block, Equation, Inline, Line, Math, Name, Paragraph, Text
+from planar_cli.report.document.blocks import Block, Equation, Inline, Line, Math, Name, Paragraph, Text
 
 VECTOR = re.compile(r"(?P<letter>[va])_(?P<index>[^\s′²_]+)(?P<prime>′?)(?:_vec)?")
 ARM = re.compile(r"r_(?P<end>[^\s/]+)/(?P<start>[^\s/]+?)(?:_vec)?")

@@ -7,7 +7,7 @@ from typing import Literal
 import sympy as sp
 
 from planar_cli.records import record
-from planar_cli.report.blocks import Line
+from planar_cli.report.document.blocks import Line
 
 Kind = Literal["named", "cross", "square", "doubled", "along", "polar", "other"]
 

@@ -8,19 +8,19 @@ from collections.abc import Iterator, Sequence
 
 import sympy as sp
 
-from planar_cli.equation.centres import centre_of
-from planar_cli.equation.jets import Jet
-from planar_cli.equation.quantities import Quantities
+from planar_cli.equation.kinematics.quantities import Quantities
+from planar_cli.equation.scene.centres import centre_of
+from planar_cli.equation.values.jets import Jet
 from planar_cli.errors import PlanarError
 from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.vector_sums import VECTOR
 from planar_cli.figures.vector_terms import Sum, Term
-from planar_cli.problem.geometry import Vec
-from planar_cli.problem.scene import with_article
+from planar_cli.problem.scene.geometry import Vec
+from planar_cli.problem.scene.scene import with_article
 from planar_cli.records import record
-from planar_cli.report.blocks import Block, Paragraph, Text
-from planar_cli.report.marks import Spot
-from planar_cli.report.names import index_of
+from planar_cli.report.document.blocks import Block, Paragraph, Text
+from planar_cli.report.document.marks import Spot
+from planar_cli.report.notation.names import index_of
 
 CLOSED = 1e-9
 """How closely the vectors of an equation close, in parts of the largest one."""

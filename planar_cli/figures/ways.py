@@ -11,10 +11,10 @@ from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.partners import sketch_of
 from planar_cli.figures.rings import extent_of
 from planar_cli.figures.shapes import moved
-from planar_cli.problem.geometry import Vec
-from planar_cli.problem.scene import Particle
-from planar_cli.problem.sketches import Bar, Cord
-from planar_cli.report.marks import Spot
+from planar_cli.problem.scene.geometry import Vec
+from planar_cli.problem.scene.scene import Particle
+from planar_cli.problem.scene.sketches import Bar, Cord
+from planar_cli.report.document.marks import Spot
 
 TURNED, NEAR = 0.1, 1e-6
 """A way is drawn smaller as long as it would be turned by less, rad; what differs by less, in parts, is alike."""

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 
 from planar_cli.figures.rings import Ring, circle, meets, off, sides, way_of
 from planar_cli.figures.shapes import moved
-from planar_cli.report.marks import Arc, Mark, Polyline, Slot, Spot
+from planar_cli.report.document.marks import Arc, Mark, Polyline, Slot, Spot
 
 NEAR = 1e-6
 RIM, BESIDE = 0.07, 0.12

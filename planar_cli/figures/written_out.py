@@ -8,11 +8,11 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.bounds import certain_sign
-from planar_cli.equation.exact import Valuation
-from planar_cli.equation.ledger import Ledger
-from planar_cli.report.blocks import Forces
-from planar_cli.solve.between.trace import MotionTrace
+from planar_cli.equation.algebra.bounds import certain_sign
+from planar_cli.equation.values.exact import Valuation
+from planar_cli.equation.values.ledger import Ledger
+from planar_cli.report.document.blocks import Forces
+from planar_cli.solve.between.trace.trace import MotionTrace
 from planar_cli.solve.solution import InstantSolution
 
 DEEP, LONG = 12, 3000

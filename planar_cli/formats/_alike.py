@@ -8,8 +8,8 @@ import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from planar_cli.report.blocks import Answer, Check, Forces, Heading, Inline, Line, Name, Table, Text
-from planar_cli.report.lettered import lettered
+from planar_cli.report.document.blocks import Answer, Check, Forces, Heading, Inline, Line, Name, Table, Text
+from planar_cli.report.document.lettered import lettered
 
 NAMING = ("CASE", "STATE", "MOTION")
 """Labels behind which stands a name, no title."""

@@ -18,9 +18,9 @@ from planar_cli.formats._paper import SIZE, Box, Disc, Paper, Placed, Run, Spot,
 from planar_cli.formats._svg import MARGIN, Look, begun, ended, fill, path_of, px, start_of, write
 from planar_cli.formats.html import Html
 from planar_cli.records import record
-from planar_cli.report.blocks import Title
-from planar_cli.report.film import Film, Thing
-from planar_cli.report.marks import spots_of
+from planar_cli.report.document.blocks import Title
+from planar_cli.report.document.film import Film, Thing
+from planar_cli.report.document.marks import spots_of
 
 WIDE, HIGH = 560.0, 400.0
 """The field, pixels."""

@@ -15,8 +15,8 @@ from planar_cli.formats._alike import answer_line, heading_words
 from planar_cli.formats.base import runs_of
 from planar_cli.formats.html import Html, words
 from planar_cli.records import record
-from planar_cli.report.blocks import Answer, Block, Drawing, Heading, Title
-from planar_cli.report.names import printable
+from planar_cli.report.document.blocks import Answer, Block, Drawing, Heading, Title
+from planar_cli.report.notation.names import printable
 
 LEVEL = 2
 """The page of the system has the higher levels of headings."""

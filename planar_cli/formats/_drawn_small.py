@@ -16,8 +16,8 @@ from planar_cli.formats._small_plot import small_plot
 from planar_cli.formats._svg import unlabelled
 from planar_cli.plain_letters import letters
 from planar_cli.records import record
-from planar_cli.report.graphs import Graph
-from planar_cli.report.marks import Figure
+from planar_cli.report.document.graphs import Graph
+from planar_cli.report.document.marks import Figure
 
 CELL = (8.0, 16.0)
 """A letter in pixels."""

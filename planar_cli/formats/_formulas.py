@@ -12,9 +12,9 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import Literal, get_args
 
 from planar_cli.records import record
-from planar_cli.report.blocks import Inline, Line, Name, Text
-from planar_cli.report.latex import numeral
-from planar_cli.report.names import latex_name
+from planar_cli.report.document.blocks import Inline, Line, Name, Text
+from planar_cli.report.notation.latex import numeral
+from planar_cli.report.notation.names import latex_name
 
 Kind = Literal[
     "term",

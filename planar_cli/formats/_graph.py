@@ -8,9 +8,9 @@ from itertools import pairwise
 
 from planar_cli.formats._paper import Disc, Run, Spot, Stroke, Words, runs_of
 from planar_cli.records import record
-from planar_cli.report.graphs import Curve, Graph, Scaled
-from planar_cli.report.lines import Line, line
-from planar_cli.report.numbers import superscript
+from planar_cli.report.document.graphs import Curve, Graph, Scaled
+from planar_cli.report.document.lines import Line, line
+from planar_cli.report.notation.numbers import superscript
 
 PITCH = 74.0
 """What stands above and below the field of a graph, where several stand over each other."""

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from planar_cli.report import latex
-from planar_cli.report.blocks import Equation, Inline, Line, Math, Name, Relation, Text, Value
-from planar_cli.report.names import latex_name
-from planar_cli.report.numbers import significant
+from planar_cli.report.document.blocks import Equation, Inline, Line, Math, Name, Relation, Text, Value
+from planar_cli.report.notation import latex
+from planar_cli.report.notation.names import latex_name
+from planar_cli.report.notation.numbers import significant
 from planar_cli.units import pretty_unit
 
 
@@ -47,7 +47,7 @@ def formula(part: Inline) -> str:
         case Relation(left, relation, right):
             return f"{formula(left)} {latex.relation(relation)} {formula(right)}"
         case Math(expr, values):
-            from planar_cli.report import notation  # SymPy is loaded only where there is a formula
+            from planar_cli.report.notation import notation  # SymPy is loaded only where there is a formula
 
             return notation.latex(expr, values)
 

@@ -13,9 +13,9 @@ from dataclasses import replace
 
 from planar_cli.plain_letters import letters
 from planar_cli.records import record
-from planar_cli.report.blocks import Inline, Line, Math, Name, Relation, Text, Value
-from planar_cli.report.names import plain_name, printable
-from planar_cli.report.numbers import quantity
+from planar_cli.report.document.blocks import Inline, Line, Math, Name, Relation, Text, Value
+from planar_cli.report.notation.names import plain_name, printable
+from planar_cli.report.notation.numbers import quantity
 
 # Spaces inside formulas while lines are being filled. `printable` lets neither through from a file.
 FIRM = "\N{NO-BREAK SPACE}"
@@ -169,7 +169,7 @@ def _spans(part: Inline) -> list[Span]:
         case Relation(left, relation, right):
             return [*_spans(left), Span(f"{FIRM}{_harmless(relation)}{FIRM}", "math"), *_spans(right)]
         case Math(expr, values):
-            from planar_cli.report.notation import plain  # SymPy is loaded only where there is a formula
+            from planar_cli.report.notation.notation import plain  # SymPy is loaded only where there is a formula
 
             return [Span(_firm(plain(expr, values)), "math")]
 

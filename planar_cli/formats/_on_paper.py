@@ -13,8 +13,8 @@ from planar_cli.formats._paper import Box, Disc, Paper, Run, Spot, Stroke, Words
 from planar_cli.formats._signs import sign, slot
 from planar_cli.formats._strokes import LATER, WAY, Piece, arc, hatching, moved, pointed
 from planar_cli.records import record
-from planar_cli.report.graphs import Graph
-from planar_cli.report.marks import (
+from planar_cli.report.document.graphs import Graph
+from planar_cli.report.document.marks import (
     Angle,
     Arc,
     Arrow,

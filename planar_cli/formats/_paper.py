@@ -10,7 +10,7 @@ from itertools import pairwise
 
 from planar_cli.formats._layout import settled, spans
 from planar_cli.records import record
-from planar_cli.report.blocks import Line, Math, Name
+from planar_cli.report.document.blocks import Line, Math, Name
 
 Spot = tuple[float, float]
 SIZE = 13.0

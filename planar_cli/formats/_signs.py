@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from planar_cli.formats._paper import Disc, Spot, Stroke
 from planar_cli.formats._strokes import LATER, Piece, arc, hatching, moved
-from planar_cli.report.marks import Symbol
+from planar_cli.report.document.marks import Symbol
 
 BLOCK = 26.0
 HIDDEN, BREAK = "gap", "break"

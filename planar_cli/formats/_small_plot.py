@@ -8,8 +8,8 @@ from planar_cli.formats._canvas import ACROSS, DOWN, Canvas
 from planar_cli.formats._graph import Field, in_unit, scaled_ticks
 from planar_cli.formats._layout import settled, spans
 from planar_cli.plain_letters import letters
-from planar_cli.report.blocks import Line
-from planar_cli.report.graphs import Graph, Scaled
+from planar_cli.report.document.blocks import Line
+from planar_cli.report.document.graphs import Graph, Scaled
 
 WIDEST, FEWEST, ROWS = 66, 12, 8
 """Columns of the field at most and at least, and its rows."""

@@ -28,7 +28,7 @@ from planar_cli.formats._paper import (
     width_of,
 )
 from planar_cli.records import record
-from planar_cli.report.marks import Figure, spots_of
+from planar_cli.report.document.marks import Figure, spots_of
 
 SPACE = "http://www.w3.org/2000/svg"
 WIDE, HIGH = 400.0, 300.0

@@ -8,8 +8,8 @@ from functools import cache
 
 from planar_cli.formats._paper import SIZE, SMALL, Disc, Paper, Placed, Run, Stroke, runs_of, width_of
 from planar_cli.formats._svg import BETWEEN, HEADED, LIGHT, MARGIN, NOTED, RULES, laid_out, px
-from planar_cli.report.marks import Figure
-from planar_cli.report.tex_words import words
+from planar_cli.report.document.marks import Figure
+from planar_cli.report.notation.tex_words import words
 
 POINT = 0.66
 """Of a pixel of a figure."""

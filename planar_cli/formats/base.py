@@ -1,8 +1,8 @@
 """The contract of a format: a document of neutral blocks in, text out.
 
 A format is a class with a `kind` (its name on the command line), a `suffix` (of its files) and one method for every
-kind of block. A test holds that the dispatch here knows every block of `report/blocks.py`; a method that is added to
-`Pieces` makes every format fail type checking until each can print the block.
+kind of block. A test holds that the dispatch here knows every block of `report/document/blocks.py`; a method that is
+added to `Pieces` makes every format fail type checking until each can print the block.
 
 Words of a block may come from a file; a format must neutralise whatever its output would take for a command.
 """
@@ -14,7 +14,7 @@ from collections.abc import Callable, Sequence
 from itertools import groupby
 from typing import ClassVar, Protocol, Self, TextIO, TypeAlias, TypeVar
 
-from planar_cli.report.blocks import (
+from planar_cli.report.document.blocks import (
     Answer,
     Block,
     Bullet,

@@ -18,7 +18,7 @@ from planar_cli.formats._latex import equation, formula
 from planar_cli.formats.base import Pages, runs_of
 from planar_cli.mathml import MathML
 from planar_cli.records import record
-from planar_cli.report.blocks import (
+from planar_cli.report.document.blocks import (
     Answer,
     Block,
     Bullet,
@@ -36,8 +36,8 @@ from planar_cli.report.blocks import (
     Title,
     Typed,
 )
-from planar_cli.report.marks import Figure
-from planar_cli.report.names import printable
+from planar_cli.report.document.marks import Figure
+from planar_cli.report.notation.names import printable
 
 POLICY = "default-src 'none'; style-src 'unsafe-inline'; img-src data:; base-uri 'none'; form-action 'none'"
 STYLE = """

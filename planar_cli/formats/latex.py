@@ -1,6 +1,6 @@
 """A document as LaTeX source that compiles with pdflatex, xelatex and lualatex, figures as TikZ.
 
-Words of a file are neutralised letter by letter (report/tex_words.py); formulas are those of the report.
+Words of a file are neutralised letter by letter (report/notation/tex_words.py); formulas are those of the report.
 """
 
 from __future__ import annotations
@@ -16,8 +16,7 @@ from planar_cli.formats._formulas import joined
 from planar_cli.formats._tikz import COLOURS, tikz
 from planar_cli.formats.base import Pages, runs_of
 from planar_cli.records import record
-from planar_cli.report import latex
-from planar_cli.report.blocks import (
+from planar_cli.report.document.blocks import (
     Answer,
     Block,
     Bullet,
@@ -36,7 +35,8 @@ from planar_cli.report.blocks import (
     Title,
     Typed,
 )
-from planar_cli.report.tex_words import LETTER, in_ascii, words
+from planar_cli.report.notation import latex
+from planar_cli.report.notation.tex_words import LETTER, in_ascii, words
 
 PREAMBLE = rf"""\documentclass[11pt,a4paper]{{article}}
 \ifdefined\Umathcode\else

@@ -17,7 +17,7 @@ from planar_cli.formats._latex import equation, formula
 from planar_cli.formats._svg import picture
 from planar_cli.formats.base import Pages, runs_of
 from planar_cli.records import record
-from planar_cli.report.blocks import (
+from planar_cli.report.document.blocks import (
     Answer,
     Block,
     Bullet,
@@ -35,7 +35,7 @@ from planar_cli.report.blocks import (
     Title,
     Typed,
 )
-from planar_cli.report.names import printable
+from planar_cli.report.notation.names import printable
 
 _PUNCTUATION = re.compile(r"([\\`*_{}\[\]<>#|~$^&!])")
 _STROKE = re.compile(r"(?<=[^\w\s\\])_")

@@ -13,7 +13,7 @@ from planar_cli.formats._terminals import PIPE_WIDTH, width_of
 from planar_cli.formats.base import Format, runs
 from planar_cli.plain_letters import in_plain, is_poor, letters
 from planar_cli.records import record
-from planar_cli.report.blocks import (
+from planar_cli.report.document.blocks import (
     Answer,
     Block,
     Bullet,
@@ -32,7 +32,7 @@ from planar_cli.report.blocks import (
     Title,
     Typed,
 )
-from planar_cli.report.names import plain_name, printable
+from planar_cli.report.notation.names import plain_name, printable
 
 _BODY = 2
 _NUMBER = 4

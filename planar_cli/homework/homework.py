@@ -9,31 +9,31 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from planar_cli.errors import Diagnostic, FileProblem, PlanarError, Undecided, UndecidedFiles
-from planar_cli.homework.carried_errors import carriable
-from planar_cli.homework.dependence import behind_each
-from planar_cli.homework.followed_mistakes import left_out, with_followed
-from planar_cli.homework.given_letters import gravity_told, with_given
-from planar_cli.homework.numbered import numbered, with_wrong_values
-from planar_cli.homework.pages_of_variants import Press, with_pages
-from planar_cli.homework.paper import Expected, Paper, Task
-from planar_cli.homework.passing import passing
-from planar_cli.homework.printed_names import printed
-from planar_cli.homework.ready import Homework, Prepared
-from planar_cli.homework.set_file import HomeworkSet, SetProblem
-from planar_cli.homework.told_letters import Formulas, Told
-from planar_cli.homework.variant_draws import Draw
-from planar_cli.homework.variants import Variants, columns, variants_of
-from planar_cli.homework.what_mistakes_give import with_mistakes
-from planar_cli.homework.worked_problem import (
+from planar_cli.homework.grading.carried_errors import carriable
+from planar_cli.homework.grading.dependence import behind_each
+from planar_cli.homework.grading.followed_mistakes import left_out, with_followed
+from planar_cli.homework.grading.passing import passing
+from planar_cli.homework.grading.what_mistakes_give import with_mistakes
+from planar_cli.homework.sets.paper import Expected, Paper, Task
+from planar_cli.homework.sets.printed_names import printed
+from planar_cli.homework.sets.ready import Homework, Prepared
+from planar_cli.homework.sets.set_file import HomeworkSet, SetProblem
+from planar_cli.homework.variants.given_letters import gravity_told, with_given
+from planar_cli.homework.variants.numbered import numbered, with_wrong_values
+from planar_cli.homework.variants.pages_of_variants import Press, with_pages
+from planar_cli.homework.variants.told_letters import Formulas, Told
+from planar_cli.homework.variants.variant_draws import Draw
+from planar_cli.homework.variants.variants import Variants, columns, variants_of
+from planar_cli.homework.variants.worked_problem import (
     WorkedProblem,
     base_expected,
     base_numbers,
     read_and_solve,
 )
-from planar_cli.problem.nodes import Mapping as MappingNode
-from planar_cli.problem.nodes import Scalar
-from planar_cli.problem.placeholders import PLACEHOLDER, put_in, told
-from planar_cli.problem.variations import with_first_values
+from planar_cli.problem.nodes.nodes import Mapping as MappingNode
+from planar_cli.problem.nodes.nodes import Scalar
+from planar_cli.problem.nodes.placeholders import PLACEHOLDER, put_in, told
+from planar_cli.problem.sections.variations import with_first_values
 from planar_cli.records import record
 
 FEW = 0.5
@@ -215,7 +215,7 @@ def made_ready(
     hears how many are done. FileProblem: a problem of it is no good; UndecidedFiles: one is not decided within the
     limits; Fault: planar failed over one.
     """
-    from planar_cli.homework.supervisor import Supervisor, demand_no_fault
+    from planar_cli.homework.tasks.supervisor import Supervisor, demand_no_fault
 
     items = [(p, homework.variants, homework.seed, formulas) for p in homework.problems]
     ended = Supervisor(_attempt, jobs, timeout, counter(len(items), "problems solved")).run(items)

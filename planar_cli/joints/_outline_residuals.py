@@ -7,12 +7,12 @@ from __future__ import annotations
 
 from typing import Any
 
-from planar_cli.problem.facts import Outline, center_of
-from planar_cli.problem.geometry import Vec
-from planar_cli.problem.outlines import Span
-from planar_cli.problem.residuals import Poses, Residual
-from planar_cli.problem.scene import GROUND
-from planar_cli.problem.setting import Setting
+from planar_cli.problem.scene.facts import Outline, center_of
+from planar_cli.problem.scene.geometry import Vec
+from planar_cli.problem.scene.outlines import Span
+from planar_cli.problem.scene.residuals import Poses, Residual
+from planar_cli.problem.scene.scene import GROUND
+from planar_cli.problem.scene.setting import Setting
 
 
 def together(title: str, a: str, b: str, place: Vec) -> Residual:

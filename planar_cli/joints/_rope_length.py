@@ -12,8 +12,8 @@ from itertools import pairwise
 from typing import Any
 
 from planar_cli.joints._rope_path import Stop
-from planar_cli.problem.geometry import Vec
-from planar_cli.problem.residuals import Poses, Residual
+from planar_cli.problem.scene.geometry import Vec
+from planar_cli.problem.scene.residuals import Poses, Residual
 from planar_cli.records import record
 
 

@@ -6,11 +6,11 @@ from itertools import pairwise
 from typing import Any
 
 from planar_cli.errors import Mark
-from planar_cli.problem.expression import Side
-from planar_cli.problem.facts import Action, Anchor, Segment
-from planar_cli.problem.geometry import Vec
-from planar_cli.problem.keys import RopeStop
-from planar_cli.problem.setting import Setting
+from planar_cli.problem.language.expression import Side
+from planar_cli.problem.scene.facts import Action, Anchor, Segment
+from planar_cli.problem.scene.geometry import Vec
+from planar_cli.problem.scene.keys import RopeStop
+from planar_cli.problem.scene.setting import Setting
 from planar_cli.records import record
 
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
-from planar_cli.problem.facts import Anchor, Joining, Path
-from planar_cli.problem.geometry import Vec
-from planar_cli.problem.setting import Setting
+from planar_cli.problem.scene.facts import Anchor, Joining, Path
+from planar_cli.problem.scene.geometry import Vec
+from planar_cli.problem.scene.setting import Setting
 
 
 def swing(

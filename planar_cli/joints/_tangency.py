@@ -5,9 +5,9 @@ from __future__ import annotations
 from fractions import Fraction
 
 from planar_cli.errors import Mark
-from planar_cli.problem.facts import Outline, center_of
-from planar_cli.problem.geometry import Vec
-from planar_cli.problem.setting import Setting
+from planar_cli.problem.scene.facts import Outline, center_of
+from planar_cli.problem.scene.geometry import Vec
+from planar_cli.problem.scene.setting import Setting
 
 CROSSING = Fraction(1, 10**6)
 """The square of the sine between two outlines [1] from which they cross; less is what numbers of few digits leave."""

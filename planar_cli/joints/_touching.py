@@ -14,7 +14,7 @@ from planar_cli.joints._tangency import (
     demand_common_tangent,
     middle_of,
 )
-from planar_cli.problem.facts import (
+from planar_cli.problem.scene.facts import (
     Facts,
     Joining,
     Law,
@@ -29,9 +29,9 @@ from planar_cli.problem.facts import (
     opposed,
     relative,
 )
-from planar_cli.problem.geometry import Vec
-from planar_cli.problem.outlines import demand_there, meeting_place
-from planar_cli.problem.setting import Setting
+from planar_cli.problem.scene.geometry import Vec
+from planar_cli.problem.scene.outlines import demand_there, meeting_place
+from planar_cli.problem.scene.setting import Setting
 from planar_cli.records import record
 
 

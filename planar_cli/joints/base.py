@@ -9,7 +9,7 @@ A joint is what keeps bodies from moving freely past each other. A member is one
         kind: ClassVar[str] = "pin"
         at: str = key(PointKey(), "the common point")
 
-The fields that every entry of a file has stand in `problem/entry.py`.
+The fields that every entry of a file has stand in `problem/scene/entry.py`.
 
 What the rest of the program must know of a kind stands in class variables: `quantities` are words that may be asked of
 it and not of every joint, `touches` and `unilateral` say how it meets its partner.
@@ -25,11 +25,11 @@ from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
 from planar_cli.errors import Diagnostic
-from planar_cli.problem.blows import in_a_blow
-from planar_cli.problem.entry import Entry
-from planar_cli.problem.facts import Mode
-from planar_cli.problem.residuals import Residual
-from planar_cli.problem.setting import Setting, StruckSetting, WrittenScene
+from planar_cli.problem.scene.blows import in_a_blow
+from planar_cli.problem.scene.entry import Entry
+from planar_cli.problem.scene.facts import Mode
+from planar_cli.problem.scene.residuals import Residual
+from planar_cli.problem.scene.setting import Setting, StruckSetting, WrittenScene
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

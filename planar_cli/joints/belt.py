@@ -8,11 +8,11 @@ from typing import Any, ClassVar
 
 from planar_cli.errors import Diagnostic
 from planar_cli.joints.base import Joint
-from planar_cli.problem.facts import Action, Anchor, Facts, Mode, Pull, Push, Row
-from planar_cli.problem.keys import FlagKey, PartnersKey, key
-from planar_cli.problem.residuals import Poses, Residual
-from planar_cli.problem.setting import Setting, WrittenScene
-from planar_cli.problem.sketches import Loop, Sketch
+from planar_cli.problem.scene.facts import Action, Anchor, Facts, Mode, Pull, Push, Row
+from planar_cli.problem.scene.keys import FlagKey, PartnersKey, key
+from planar_cli.problem.scene.residuals import Poses, Residual
+from planar_cli.problem.scene.setting import Setting, WrittenScene
+from planar_cli.problem.scene.sketches import Loop, Sketch
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

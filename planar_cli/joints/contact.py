@@ -8,11 +8,11 @@ from typing import ClassVar
 from planar_cli.joints._outline_residuals import flush, stuck
 from planar_cli.joints._touching import ContactPlace, Friction, Touching
 from planar_cli.joints.base import Joint
-from planar_cli.problem.expression import Side
-from planar_cli.problem.facts import Mode, Outline
-from planar_cli.problem.keys import Choice, PartnersKey, PointKey, SideKey, key
-from planar_cli.problem.residuals import Residual
-from planar_cli.problem.setting import Setting
+from planar_cli.problem.language.expression import Side
+from planar_cli.problem.scene.facts import Mode, Outline
+from planar_cli.problem.scene.keys import Choice, PartnersKey, PointKey, SideKey, key
+from planar_cli.problem.scene.residuals import Residual
+from planar_cli.problem.scene.setting import Setting
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -9,12 +9,12 @@ from typing import Any, ClassVar
 from planar_cli.errors import Diagnostic
 from planar_cli.joints._outline_residuals import same_turn, together
 from planar_cli.joints.base import Joint
-from planar_cli.problem.expression import Side
-from planar_cli.problem.facts import Facts, Joining, Mode, Push, Row, Skid, Test, opposed, relative
-from planar_cli.problem.geometry import Vec
-from planar_cli.problem.keys import Choice, PartnersKey, SideKey, key
-from planar_cli.problem.residuals import Residual
-from planar_cli.problem.setting import Setting, StruckSetting, WrittenScene
+from planar_cli.problem.language.expression import Side
+from planar_cli.problem.scene.facts import Facts, Joining, Mode, Push, Row, Skid, Test, opposed, relative
+from planar_cli.problem.scene.geometry import Vec
+from planar_cli.problem.scene.keys import Choice, PartnersKey, SideKey, key
+from planar_cli.problem.scene.residuals import Residual
+from planar_cli.problem.scene.setting import Setting, StruckSetting, WrittenScene
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

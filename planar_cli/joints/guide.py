@@ -7,8 +7,8 @@ from typing import Any, ClassVar
 
 from planar_cli.joints._outline_residuals import same_turn, together, touching
 from planar_cli.joints.base import Joint
-from planar_cli.problem.expression import Side
-from planar_cli.problem.facts import (
+from planar_cli.problem.language.expression import Side
+from planar_cli.problem.scene.facts import (
     Facts,
     Joining,
     Law,
@@ -22,12 +22,12 @@ from planar_cli.problem.facts import (
     opposed,
     relative,
 )
-from planar_cli.problem.geometry import Vec
-from planar_cli.problem.keys import BodyKey, Choice, DirectionKey, PointKey, SideKey, key
-from planar_cli.problem.residuals import Poses, Residual
-from planar_cli.problem.scene import GROUND
-from planar_cli.problem.setting import Setting
-from planar_cli.problem.sketches import Sketch, Slide
+from planar_cli.problem.scene.geometry import Vec
+from planar_cli.problem.scene.keys import BodyKey, Choice, DirectionKey, PointKey, SideKey, key
+from planar_cli.problem.scene.residuals import Poses, Residual
+from planar_cli.problem.scene.scene import GROUND
+from planar_cli.problem.scene.setting import Setting
+from planar_cli.problem.scene.sketches import Sketch, Slide
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -8,12 +8,12 @@ from fractions import Fraction
 from typing import Any, ClassVar
 
 from planar_cli.joints.base import Joint
-from planar_cli.problem.expression import Number, Side
-from planar_cli.problem.facts import FAR, Facts, Law, Meeting, Mode, Push, Row, Test, opposed, relative
-from planar_cli.problem.geometry import Vec
-from planar_cli.problem.keys import PartnersKey, PointKey, SideKey, key
-from planar_cli.problem.residuals import Residual
-from planar_cli.problem.setting import Setting, StruckSetting
+from planar_cli.problem.language.expression import Number, Side
+from planar_cli.problem.scene.facts import FAR, Facts, Law, Meeting, Mode, Push, Row, Test, opposed, relative
+from planar_cli.problem.scene.geometry import Vec
+from planar_cli.problem.scene.keys import PartnersKey, PointKey, SideKey, key
+from planar_cli.problem.scene.residuals import Residual
+from planar_cli.problem.scene.setting import Setting, StruckSetting
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

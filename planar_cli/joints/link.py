@@ -7,13 +7,13 @@ from typing import Any, ClassVar
 
 from planar_cli.joints._swing import swing
 from planar_cli.joints.base import Joint
-from planar_cli.problem.expression import Side
-from planar_cli.problem.facts import Action, Anchor, Facts, Mode, Push
-from planar_cli.problem.fixed_ends import fixed_ends
-from planar_cli.problem.keys import PointPairKey, SideKey, key
-from planar_cli.problem.residuals import Poses, Residual
-from planar_cli.problem.setting import Setting
-from planar_cli.problem.sketches import Bar, Sketch
+from planar_cli.problem.language.expression import Side
+from planar_cli.problem.scene.facts import Action, Anchor, Facts, Mode, Push
+from planar_cli.problem.scene.fixed_ends import fixed_ends
+from planar_cli.problem.scene.keys import PointPairKey, SideKey, key
+from planar_cli.problem.scene.residuals import Poses, Residual
+from planar_cli.problem.scene.setting import Setting
+from planar_cli.problem.scene.sketches import Bar, Sketch
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

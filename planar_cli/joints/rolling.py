@@ -8,12 +8,12 @@ from typing import ClassVar
 from planar_cli.joints._outline_residuals import stuck
 from planar_cli.joints._tangency import away, demand_above, demand_common_tangent
 from planar_cli.joints.base import Joint
-from planar_cli.problem.facts import Facts, Joining, Mode, Outline, Push, opposed
-from planar_cli.problem.facts import Rolling as NoSlip
-from planar_cli.problem.geometry import Vec
-from planar_cli.problem.keys import PartnersKey, PointKey, key
-from planar_cli.problem.residuals import Residual
-from planar_cli.problem.setting import Setting
+from planar_cli.problem.scene.facts import Facts, Joining, Mode, Outline, Push, opposed
+from planar_cli.problem.scene.facts import Rolling as NoSlip
+from planar_cli.problem.scene.geometry import Vec
+from planar_cli.problem.scene.keys import PartnersKey, PointKey, key
+from planar_cli.problem.scene.residuals import Residual
+from planar_cli.problem.scene.setting import Setting
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

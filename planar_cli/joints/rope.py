@@ -11,14 +11,14 @@ from planar_cli.joints._rope_length import rope_directions, rope_length
 from planar_cli.joints._rope_path import RopePath, free_parts, stops_of
 from planar_cli.joints._swing import swing
 from planar_cli.joints.base import Joint
-from planar_cli.problem.expression import Side
-from planar_cli.problem.facts import Facts, Mode, Push, Row, Segment, Test
-from planar_cli.problem.fixed_ends import fixed_ends
-from planar_cli.problem.keys import RopePathKey, RopeStop, SideKey, key
-from planar_cli.problem.residuals import Residual
-from planar_cli.problem.scene import GROUND
-from planar_cli.problem.setting import Setting, WrittenBody, WrittenScene
-from planar_cli.problem.sketches import Cord, CordStop, Sketch
+from planar_cli.problem.language.expression import Side
+from planar_cli.problem.scene.facts import Facts, Mode, Push, Row, Segment, Test
+from planar_cli.problem.scene.fixed_ends import fixed_ends
+from planar_cli.problem.scene.keys import RopePathKey, RopeStop, SideKey, key
+from planar_cli.problem.scene.residuals import Residual
+from planar_cli.problem.scene.scene import GROUND
+from planar_cli.problem.scene.setting import Setting, WrittenBody, WrittenScene
+from planar_cli.problem.scene.sketches import Cord, CordStop, Sketch
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -7,12 +7,12 @@ from typing import ClassVar
 
 from planar_cli.joints._outline_residuals import joined, same_turn
 from planar_cli.joints.base import Joint
-from planar_cli.problem.facts import Facts, Joining, Mode, Push, opposed
-from planar_cli.problem.geometry import Vec
-from planar_cli.problem.keys import PartnersKey, PointKey, key
-from planar_cli.problem.residuals import Residual
-from planar_cli.problem.setting import Setting
-from planar_cli.problem.sketches import Fastening, Sketch
+from planar_cli.problem.scene.facts import Facts, Joining, Mode, Push, opposed
+from planar_cli.problem.scene.geometry import Vec
+from planar_cli.problem.scene.keys import PartnersKey, PointKey, key
+from planar_cli.problem.scene.residuals import Residual
+from planar_cli.problem.scene.setting import Setting
+from planar_cli.problem.scene.sketches import Fastening, Sketch
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -10,7 +10,7 @@ one file with one final class:
         kind: ClassVar[str] = "torque"
         body: str = key(BodyKey(), "the body it turns")
 
-The fields that every entry of a file has stand in `problem/entry.py`.
+The fields that every entry of a file has stand in `problem/scene/entry.py`.
 
 What the rest of the program must know of a kind stands in class variables: how it is told (`effect`, `line`, `letter`,
 `working`), and what it does (`pulls`, `opposes`, `dissipates`, `brings_mass`); `quantities` are words that may be asked
@@ -26,10 +26,10 @@ from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from typing import Any, ClassVar, Self
 
-from planar_cli.problem.entry import Entry
-from planar_cli.problem.facts import Effect, Mode, Wrench
-from planar_cli.problem.residuals import Residual
-from planar_cli.problem.setting import MovingSetting, Setting
+from planar_cli.problem.scene.entry import Entry
+from planar_cli.problem.scene.facts import Effect, Mode, Wrench
+from planar_cli.problem.scene.residuals import Residual
+from planar_cli.problem.scene.setting import MovingSetting, Setting
 
 _POINT = re.compile(r"[A-Z]\d?")
 

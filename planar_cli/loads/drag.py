@@ -8,10 +8,10 @@ from typing import ClassVar, Self
 
 from planar_cli.errors import Mark
 from planar_cli.loads.base import Load
-from planar_cli.problem.expression import Binary, Number, Part, Quantity, Side
-from planar_cli.problem.facts import Effect, Wrench
-from planar_cli.problem.keys import BodyKey, Choice, MagnitudeKey, SideKey, Table, key
-from planar_cli.problem.setting import MovingSetting
+from planar_cli.problem.language.expression import Binary, Number, Part, Quantity, Side
+from planar_cli.problem.scene.facts import Effect, Wrench
+from planar_cli.problem.scene.keys import BodyKey, Choice, MagnitudeKey, SideKey, Table, key
+from planar_cli.problem.scene.setting import MovingSetting
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -6,12 +6,12 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from planar_cli.loads.base import Load
-from planar_cli.problem.expression import Side
-from planar_cli.problem.facts import Effect, Wrench
-from planar_cli.problem.geometry import Vec
-from planar_cli.problem.keys import BodyKey, Choice, MagnitudeKey, PointKey, SideKey, Table, key
-from planar_cli.problem.setting import MovingSetting, Setting
-from planar_cli.problem.sketches import Push, Sketch
+from planar_cli.problem.language.expression import Side
+from planar_cli.problem.scene.facts import Effect, Wrench
+from planar_cli.problem.scene.geometry import Vec
+from planar_cli.problem.scene.keys import BodyKey, Choice, MagnitudeKey, PointKey, SideKey, Table, key
+from planar_cli.problem.scene.setting import MovingSetting, Setting
+from planar_cli.problem.scene.sketches import Push, Sketch
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -6,12 +6,12 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from planar_cli.loads.base import Load
-from planar_cli.problem.expression import Side
-from planar_cli.problem.facts import Wrench
-from planar_cli.problem.headings import heading
-from planar_cli.problem.keys import BodyKey, Choice, PointKey, SideKey, key
-from planar_cli.problem.setting import MovingSetting, Setting
-from planar_cli.problem.sketches import Push, Sketch, Twist
+from planar_cli.problem.language.expression import Side
+from planar_cli.problem.scene.facts import Wrench
+from planar_cli.problem.scene.headings import heading
+from planar_cli.problem.scene.keys import BodyKey, Choice, PointKey, SideKey, key
+from planar_cli.problem.scene.setting import MovingSetting, Setting
+from planar_cli.problem.scene.sketches import Push, Sketch, Twist
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

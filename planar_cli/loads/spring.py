@@ -6,12 +6,12 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from planar_cli.loads.base import Load, mode_key
-from planar_cli.problem.expression import Side, Statement
-from planar_cli.problem.facts import Effect, Facts, Mode, Test, Wrench
-from planar_cli.problem.fixed_ends import fixed_ends
-from planar_cli.problem.keys import Choice, PointPairKey, SideKey, StatementsKey, WordKey, key
-from planar_cli.problem.setting import MovingSetting, Setting
-from planar_cli.problem.sketches import Sketch, Spiral
+from planar_cli.problem.language.expression import Side, Statement
+from planar_cli.problem.scene.facts import Effect, Facts, Mode, Test, Wrench
+from planar_cli.problem.scene.fixed_ends import fixed_ends
+from planar_cli.problem.scene.keys import Choice, PointPairKey, SideKey, StatementsKey, WordKey, key
+from planar_cli.problem.scene.setting import MovingSetting, Setting
+from planar_cli.problem.scene.sketches import Sketch, Spiral
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from planar_cli.loads.base import Load
-from planar_cli.problem.facts import Effect, Wrench
-from planar_cli.problem.geometry import Vec
-from planar_cli.problem.setting import MovingSetting, Setting
+from planar_cli.problem.scene.facts import Effect, Wrench
+from planar_cli.problem.scene.geometry import Vec
+from planar_cli.problem.scene.setting import MovingSetting, Setting
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -6,11 +6,11 @@ from collections.abc import Iterable, Iterator
 
 import sympy as sp
 
-from planar_cli.equation.kinetics import body_residuals
-from planar_cli.equation.led import led, rolls, turns_with_an_axis
-from planar_cli.equation.motion import Motion
-from planar_cli.equation.parts_of_accelerations import axis_of, spin_of, with_mark
-from planar_cli.equation.system import System
+from planar_cli.equation.kinematics.motion import Motion
+from planar_cli.equation.system.kinetics import body_residuals
+from planar_cli.equation.system.led import led, rolls, turns_with_an_axis
+from planar_cli.equation.system.system import System
+from planar_cli.equation.values.parts_of_accelerations import axis_of, spin_of, with_mark
 from planar_cli.principles.base import BodyFamily, Moving, Position
 
 

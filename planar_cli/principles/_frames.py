@@ -10,12 +10,12 @@ from collections.abc import Iterable, Iterator
 
 import sympy as sp
 
-from planar_cli.equation.expansion import expanded
-from planar_cli.equation.plain import simplified
+from planar_cli.equation.algebra.expansion import expanded
+from planar_cli.equation.algebra.plain import simplified
 from planar_cli.principles.base import Position
-from planar_cli.problem.facts import Wrench
-from planar_cli.problem.geometry import Vec
-from planar_cli.problem.scene import GROUND
+from planar_cli.problem.scene.facts import Wrench
+from planar_cli.problem.scene.geometry import Vec
+from planar_cli.problem.scene.scene import GROUND
 from planar_cli.records import record
 
 ZERO = Vec(sp.S.Zero, sp.S.Zero)

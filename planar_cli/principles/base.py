@@ -23,10 +23,10 @@ from planar_cli.records import record
 if TYPE_CHECKING:
     import sympy as sp
 
-    from planar_cli.equation.displacement import Coordinate
-    from planar_cli.equation.exact import Valuation
-    from planar_cli.equation.motion import Motion
-    from planar_cli.equation.system import System
+    from planar_cli.equation.kinematics.motion import Motion
+    from planar_cli.equation.scene.displacement import Coordinate
+    from planar_cli.equation.system.system import System
+    from planar_cli.equation.values.exact import Valuation
 
 
 @record

@@ -8,19 +8,19 @@ from typing import Any, ClassVar, final
 
 import sympy as sp
 
-from planar_cli.equation.expansion import expanded
-from planar_cli.equation.guided import guides_nothing
-from planar_cli.equation.motion import Motion
-from planar_cli.equation.moving import Moving as MovingScene
-from planar_cli.equation.one_body import inner_reactions
-from planar_cli.equation.plain import simplified
+from planar_cli.equation.algebra.expansion import expanded
+from planar_cli.equation.algebra.plain import simplified
+from planar_cli.equation.kinematics.motion import Motion
+from planar_cli.equation.kinematics.moving import Moving as MovingScene
+from planar_cli.equation.system.guided import guides_nothing
+from planar_cli.equation.system.one_body import inner_reactions
 from planar_cli.principles._bodies import joined, moving_of, of_mass_centre, of_turning
 from planar_cli.principles._frames import Frame, frames, knows_less, power_in, unknown_sizes
 from planar_cli.principles.base import Balance, Idle, Position, Principle, Source, Stored
-from planar_cli.problem.acting import acting_loads
-from planar_cli.problem.facts import Push, Wrench
-from planar_cli.problem.geometry import Vec
-from planar_cli.problem.scene import GROUND
+from planar_cli.problem.scene.acting import acting_loads
+from planar_cli.problem.scene.facts import Push, Wrench
+from planar_cli.problem.scene.geometry import Vec
+from planar_cli.problem.scene.scene import GROUND
 
 WORK, NO_WORK = 0.9, 1.3
 """The cost of the balance; where nothing does work on a group, its momentum tells the speeds sooner."""

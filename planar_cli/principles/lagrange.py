@@ -7,13 +7,13 @@ from typing import ClassVar, final
 
 import sympy as sp
 
-from planar_cli.equation.displacement import Coordinate
-from planar_cli.equation.moving import Moving
-from planar_cli.equation.plain import longer, simplified
+from planar_cli.equation.algebra.plain import longer, simplified
+from planar_cli.equation.kinematics.moving import Moving
+from planar_cli.equation.scene.displacement import Coordinate
 from planar_cli.principles.base import Integrated, Position, Premise, Principle, Single
-from planar_cli.problem.acting import acting_loads
-from planar_cli.problem.facts import Action, Wrench
-from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scene.acting import acting_loads
+from planar_cli.problem.scene.facts import Action, Wrench
+from planar_cli.problem.scene.geometry import Vec
 from planar_cli.records import record
 
 LONGEST = 200

@@ -7,16 +7,16 @@ from typing import ClassVar, final
 
 import sympy as sp
 
-from planar_cli.equation.centres import centre_of
-from planar_cli.equation.expansion import expanded
-from planar_cli.equation.plain import derivative, simplified
-from planar_cli.equation.scene import Scene
+from planar_cli.equation.algebra.expansion import expanded
+from planar_cli.equation.algebra.plain import derivative, simplified
+from planar_cli.equation.scene.centres import centre_of
+from planar_cli.equation.scene.scene import Scene
 from planar_cli.principles._bodies import body_families, moving_of, of_mass_centre, of_turning
 from planar_cli.principles._frames import Frame, frames, knows_less, unknown_sizes
 from planar_cli.principles.base import Balance, BodyFamily, Impulses, Moving, Position, Principle, Source
-from planar_cli.problem.facts import Wrench
-from planar_cli.problem.geometry import Vec
-from planar_cli.problem.scene import GROUND
+from planar_cli.problem.scene.facts import Wrench
+from planar_cli.problem.scene.geometry import Vec
+from planar_cli.problem.scene.scene import GROUND
 
 WORDS, COST = "impulse and momentum", 1.25
 MOST_BODIES = 6

@@ -11,36 +11,36 @@ from dataclasses import replace
 from planar_cli.errors import Diagnostic
 from planar_cli.joints.base import Joint
 from planar_cli.loads.base import Load
-from planar_cli.problem import read_sections as sections
-from planar_cli.problem import reading
-from planar_cli.problem.assumed_of_unknowns import with_assumed
-from planar_cli.problem.called_by_points import with_joints_called
-from planar_cli.problem.checks import check
-from planar_cli.problem.customary import is_us
-from planar_cli.problem.drawn_directions import DrawnDirections
-from planar_cli.problem.fields import Fields
-from planar_cli.problem.from_rest import with_ways_from_rest
-from planar_cli.problem.grounds import Floor, with_floor
-from planar_cli.problem.guided_points import with_guided_points
-from planar_cli.problem.nodes import Mapping, Node, Scalar, read_file, read_text
-from planar_cli.problem.not_negative import with_coefficients
-from planar_cli.problem.open_ends import with_open_ends
-from planar_cli.problem.order_of_states import in_order
-from planar_cli.problem.osculating import with_osculating_circles
-from planar_cli.problem.placed_particles import with_placed_particles
-from planar_cli.problem.placeholders import check_placeholders
-from planar_cli.problem.points_at_rest import RestingPoints
-from planar_cli.problem.read_bodies import read_bodies
-from planar_cli.problem.read_cases import OWN, merged
-from planar_cli.problem.read_members import read_joints, read_loads
-from planar_cli.problem.read_points import read_points, read_surfaces
-from planar_cli.problem.read_values import Names
-from planar_cli.problem.reading import Report
-from planar_cli.problem.scene import Body, Case, Point, Problem, Surface, Symbol
-from planar_cli.problem.touching_points import with_later_meetings, with_touching_points
-from planar_cli.problem.unnamed_places import free_name, free_names, with_named_places
-from planar_cli.problem.variations import variations_of, with_first_values
-from planar_cli.problem.whose_load import with_bodies
+from planar_cli.problem.checks.checks import check
+from planar_cli.problem.implied.assumed_of_unknowns import with_assumed
+from planar_cli.problem.implied.called_by_points import with_joints_called
+from planar_cli.problem.implied.customary import is_us
+from planar_cli.problem.implied.drawn_directions import DrawnDirections
+from planar_cli.problem.implied.from_rest import with_ways_from_rest
+from planar_cli.problem.implied.grounds import Floor, with_floor
+from planar_cli.problem.implied.guided_points import with_guided_points
+from planar_cli.problem.implied.not_negative import with_coefficients
+from planar_cli.problem.implied.open_ends import with_open_ends
+from planar_cli.problem.implied.osculating import with_osculating_circles
+from planar_cli.problem.implied.placed_particles import with_placed_particles
+from planar_cli.problem.implied.points_at_rest import RestingPoints
+from planar_cli.problem.implied.touching_points import with_later_meetings, with_touching_points
+from planar_cli.problem.implied.unnamed_places import free_name, free_names, with_named_places
+from planar_cli.problem.implied.whose_load import with_bodies
+from planar_cli.problem.nodes import reading
+from planar_cli.problem.nodes.fields import Fields
+from planar_cli.problem.nodes.nodes import Mapping, Node, Scalar, read_file, read_text
+from planar_cli.problem.nodes.placeholders import check_placeholders
+from planar_cli.problem.nodes.reading import Report
+from planar_cli.problem.scene.order_of_states import in_order
+from planar_cli.problem.scene.scene import Body, Case, Point, Problem, Surface, Symbol
+from planar_cli.problem.sections import read_sections as sections
+from planar_cli.problem.sections.read_bodies import read_bodies
+from planar_cli.problem.sections.read_cases import OWN, merged
+from planar_cli.problem.sections.read_members import read_joints, read_loads
+from planar_cli.problem.sections.read_points import read_points, read_surfaces
+from planar_cli.problem.sections.read_values import Names
+from planar_cli.problem.sections.variations import variations_of, with_first_values
 from planar_cli.registry import modules
 
 Scene = tuple[tuple[Point, ...], tuple[Surface, ...], tuple[Body, ...], tuple[Joint, ...], tuple[Load, ...]]

@@ -10,7 +10,7 @@ import sympy as sp
 from planar_cli.records import record
 from planar_cli.replay.equations import Step
 from planar_cli.replay.opened import NotWritten, of_block
-from planar_cli.solve.between.trace import MotionTrace
+from planar_cli.solve.between.trace.trace import MotionTrace
 from planar_cli.solve.instant.algebra import SolvedBlock
 from planar_cli.solve.solution import InstantSolution
 

@@ -7,8 +7,8 @@ from dataclasses import field, replace
 
 import sympy as sp
 
-from planar_cli.equation.ledger import Kind
-from planar_cli.equation.plain import rounded_inside
+from planar_cli.equation.algebra.plain import rounded_inside
+from planar_cli.equation.values.ledger import Kind
 from planar_cli.records import record
 from planar_cli.units import Unit
 

@@ -7,11 +7,11 @@ from dataclasses import replace
 
 import sympy as sp
 
-from planar_cli.equation.ledger import Ledger
-from planar_cli.equation.motion import Motion
-from planar_cli.problem.expression import Side
-from planar_cli.problem.facts import Mode, Row
-from planar_cli.problem.facts import Test as Assumption
+from planar_cli.equation.kinematics.motion import Motion
+from planar_cli.equation.values.ledger import Ledger
+from planar_cli.problem.language.expression import Side
+from planar_cli.problem.scene.facts import Mode, Row
+from planar_cli.problem.scene.facts import Test as Assumption
 from planar_cli.replay.at_states import renamed
 from planar_cli.replay.equations import Asked, Equations, Test
 from planar_cli.replay.opened import NotWritten, of_block

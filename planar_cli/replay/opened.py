@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping
 
 import sympy as sp
 
-from planar_cli.equation.parts_of_accelerations import without_common_marks
+from planar_cli.equation.values.parts_of_accelerations import without_common_marks
 from planar_cli.replay.equations import Step
 from planar_cli.solve.instant.algebra import SolvedBlock
 from planar_cli.solve.instant.written import Written

@@ -7,16 +7,16 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from planar_cli.equation.jets import Jet
-from planar_cli.equation.places import Jets
-from planar_cli.problem.located import located
-from planar_cli.problem.scene import TwoFacts
+from planar_cli.equation.scene.places import Jets
+from planar_cli.equation.values.jets import Jet
+from planar_cli.problem.scene.located import located
+from planar_cli.problem.scene.scene import TwoFacts
 from planar_cli.records import record
 from planar_cli.replay.at_states import StateNumbers
 from planar_cli.replay.opened import NotWritten
 
 if TYPE_CHECKING:
-    from planar_cli.equation.scene import Scene
+    from planar_cli.equation.scene.scene import Scene
     from planar_cli.replay.equations import Equations
 
 NEARBY = (1.0, 1.004, 0.997)

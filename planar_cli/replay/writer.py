@@ -8,8 +8,8 @@ from typing import TypeVar
 
 import sympy as sp
 
-from planar_cli.equation.exact import Valuation
-from planar_cli.equation.ledger import Ledger
+from planar_cli.equation.values.exact import Valuation
+from planar_cli.equation.values.ledger import Ledger
 from planar_cli.replay.equations import Asked, Equations, Step, Test
 from planar_cli.replay.opened import NotWritten
 from planar_cli.solve.solution import Found

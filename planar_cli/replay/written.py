@@ -12,7 +12,7 @@ from planar_cli.replay.equations import Asked, Equations, Step
 from planar_cli.replay.instants import Instants
 from planar_cli.replay.opened import NotWritten
 from planar_cli.replay.writer import Writer, is_number
-from planar_cli.solve.between.trace import MotionTrace, RegimeTrace, RouteStep
+from planar_cli.solve.between.trace.trace import MotionTrace, RegimeTrace, RouteStep
 from planar_cli.solve.solution import Found
 from planar_cli.solve.solved_problem import PartSolution
 

@@ -15,8 +15,8 @@ from typing import Protocol
 
 from planar_cli.errors import PlanarError
 from planar_cli.integrators.base import EPSILON, Integrator
-from planar_cli.motion.drive import AUTOMATIC
-from planar_cli.motion.estimate import Growth, by_halving, growth, tighter
+from planar_cli.motion.follow.estimate import Growth, by_halving, growth, tighter
+from planar_cli.motion.trajectory.drive import AUTOMATIC
 from planar_cli.records import record
 from planar_cli.registry import members
 

@@ -11,8 +11,8 @@ from itertools import groupby, zip_longest
 from typing import Any
 
 from planar_cli.integrators.base import EPSILON
-from planar_cli.motion.estimate import Growth
-from planar_cli.problem.show import harmless, spreadsheet_cell
+from planar_cli.motion.follow.estimate import Growth
+from planar_cli.problem.nodes.show import harmless, spreadsheet_cell
 from planar_cli.records import record
 from planar_cli.simulate.accuracy import Advice, Row, Study
 from planar_cli.simulate.columns import NARROW, USUAL, in_width, wrapped

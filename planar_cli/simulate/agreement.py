@@ -9,11 +9,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from planar_cli.errors import Diagnostic, NoSolution
-from planar_cli.motion.model import Model
-from planar_cli.motion.regime import Regime
-from planar_cli.problem.expression import Equilibrium, Quantity, Relation, Statement
-from planar_cli.problem.scene import Problem
-from planar_cli.problem.walk import walk
+from planar_cli.motion.regime.model import Model
+from planar_cli.motion.regime.regime import Regime
+from planar_cli.problem.language.expression import Equilibrium, Quantity, Relation, Statement
+from planar_cli.problem.language.walk import walk
+from planar_cli.problem.scene.scene import Problem
 from planar_cli.simulate.measures import LATER, START, Measures
 from planar_cli.simulate.timetable import Timetable, mode_of
 

@@ -6,12 +6,13 @@ from collections.abc import Mapping
 
 from planar_cli.base_units import in_base
 from planar_cli.errors import FileProblem, Undecided
-from planar_cli.motion.functions import FUNCTIONS
-from planar_cli.motion.regime import Regime
-from planar_cli.motion.trajectory import Trajectory
-from planar_cli.problem.check_dimensions import Kinds
-from planar_cli.problem.dimensions import dimension_of
-from planar_cli.problem.expression import (
+from planar_cli.motion.regime.regime import Regime
+from planar_cli.motion.terms.functions import FUNCTIONS
+from planar_cli.motion.trajectory.trajectory import Trajectory
+from planar_cli.problem.checks.check_dimensions import Kinds
+from planar_cli.problem.checks.scope import Scope
+from planar_cli.problem.language.dimensions import dimension_of
+from planar_cli.problem.language.expression import (
     Binary,
     Function,
     Grouped,
@@ -22,11 +23,10 @@ from planar_cli.problem.expression import (
     Scaled,
     Side,
 )
-from planar_cli.problem.outermost import is_energy
-from planar_cli.problem.scene import Find, Problem
-from planar_cli.problem.scope import Scope
-from planar_cli.problem.walk import names_of_states, walk
-from planar_cli.problem.words import OF_SWINGS
+from planar_cli.problem.language.outermost import is_energy
+from planar_cli.problem.language.walk import names_of_states, walk
+from planar_cli.problem.language.words import OF_SWINGS
+from planar_cli.problem.scene.scene import Find, Problem
 from planar_cli.records import record
 from planar_cli.simulate.measures import START, Measures, Moment
 from planar_cli.simulate.spans import Spans

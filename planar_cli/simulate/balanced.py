@@ -8,15 +8,25 @@ from fractions import Fraction
 from typing import Protocol
 
 from planar_cli.base_units import in_base
-from planar_cli.motion.automaton import Start
-from planar_cli.motion.model import Model
-from planar_cli.problem.check_dimensions import Kinds
-from planar_cli.problem.dimensions import dimension_of
-from planar_cli.problem.expression import Extreme, Function, Grouped, Name, Number, Quantity, Relation, Side, Statement
-from planar_cli.problem.order_of_states import stands_beside
-from planar_cli.problem.scene import Problem
-from planar_cli.problem.scope import Scope
-from planar_cli.problem.walk import changed, names_of_states
+from planar_cli.motion.regime.model import Model
+from planar_cli.motion.trajectory.automaton import Start
+from planar_cli.problem.checks.check_dimensions import Kinds
+from planar_cli.problem.checks.scope import Scope
+from planar_cli.problem.language.dimensions import dimension_of
+from planar_cli.problem.language.expression import (
+    Extreme,
+    Function,
+    Grouped,
+    Name,
+    Number,
+    Quantity,
+    Relation,
+    Side,
+    Statement,
+)
+from planar_cli.problem.language.walk import changed, names_of_states
+from planar_cli.problem.scene.order_of_states import stands_beside
+from planar_cli.problem.scene.scene import Problem
 from planar_cli.simulate.measures import Measures, Moment
 from planar_cli.units import default_unit
 

@@ -8,10 +8,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from planar_cli.errors import Mark
-from planar_cli.motion.terms import evaluate
-from planar_cli.motion.trajectory import Trajectory, Transition
-from planar_cli.problem.expression import JustAfter, Quantity
-from planar_cli.problem.scope import Scope
+from planar_cli.motion.terms.terms import evaluate
+from planar_cli.motion.trajectory.trajectory import Trajectory, Transition
+from planar_cli.problem.checks.scope import Scope
+from planar_cli.problem.language.expression import JustAfter, Quantity
 from planar_cli.simulate.measures import Measures
 
 HERE = Mark("<span>", 1, 1)

@@ -14,15 +14,15 @@ from functools import partial
 from itertools import pairwise
 
 from planar_cli.errors import Diagnostic, NoSolution, Undecided
-from planar_cli.motion.crossings import root
-from planar_cli.motion.regime import Regime
-from planar_cli.motion.segment import Segment
-from planar_cli.motion.terms import Term
-from planar_cli.motion.trajectory import Trajectory
-from planar_cli.problem.expression import Name, Number, Part, Quantity, Relation, Side
-from planar_cli.problem.scene import Problem, State
-from planar_cli.problem.scope import Scope
-from planar_cli.problem.walk import changed, walk
+from planar_cli.motion.regime.regime import Regime
+from planar_cli.motion.terms.crossings import root
+from planar_cli.motion.terms.terms import Term
+from planar_cli.motion.trajectory.segment import Segment
+from planar_cli.motion.trajectory.trajectory import Trajectory
+from planar_cli.problem.checks.scope import Scope
+from planar_cli.problem.language.expression import Name, Number, Part, Quantity, Relation, Side
+from planar_cli.problem.language.walk import changed, walk
+from planar_cli.problem.scene.scene import Problem, State
 from planar_cli.simulate.answers import Answers
 from planar_cli.simulate.measures import Measures, Moment
 from planar_cli.simulate.run import Run, Settings, follow, prepared

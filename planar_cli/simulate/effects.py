@@ -12,9 +12,9 @@ from fractions import Fraction
 from typing import Any
 
 from planar_cli.joints.base import Joint
-from planar_cli.problem.expression import Number, Side
-from planar_cli.problem.facts import Effect
-from planar_cli.problem.scene import Problem
+from planar_cli.problem.language.expression import Number, Side
+from planar_cli.problem.scene.facts import Effect
+from planar_cli.problem.scene.scene import Problem
 from planar_cli.records import record
 from planar_cli.registry import members
 

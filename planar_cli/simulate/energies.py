@@ -12,12 +12,12 @@ from collections.abc import Iterator, Sequence
 
 from planar_cli.errors import Undecided
 from planar_cli.integrators.base import OUTSIDE
-from planar_cli.motion.balance import nodes
-from planar_cli.motion.regime import Regime
-from planar_cli.motion.segment import Segment
-from planar_cli.motion.terms import Term
-from planar_cli.problem.expression import Quantity
-from planar_cli.problem.scene import ALL
+from planar_cli.motion.regime.regime import Regime
+from planar_cli.motion.terms.terms import Term
+from planar_cli.motion.trajectory.balance import nodes
+from planar_cli.motion.trajectory.segment import Segment
+from planar_cli.problem.language.expression import Quantity
+from planar_cli.problem.scene.scene import ALL
 from planar_cli.records import changing, record
 from planar_cli.simulate.heat import heat_of
 from planar_cli.simulate.measures import Asked

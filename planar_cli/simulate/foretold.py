@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 
 from planar_cli.errors import Diagnostic, NoSolution
-from planar_cli.motion.model import Model
-from planar_cli.problem.expression import Extreme, Name, Relation
-from planar_cli.problem.scene import Problem, State
-from planar_cli.problem.walk import names_of_states, walk
+from planar_cli.motion.regime.model import Model
+from planar_cli.problem.language.expression import Extreme, Name, Relation
+from planar_cli.problem.language.walk import names_of_states, walk
+from planar_cli.problem.scene.scene import Problem, State
 from planar_cli.simulate.measures import Moment
 from planar_cli.simulate.timetable import is_time
 

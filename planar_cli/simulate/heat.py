@@ -6,14 +6,14 @@ Of a contact that slips -F · (speed of slip), also on a belt; else -(F · v + M
 from __future__ import annotations
 
 from planar_cli.loads.base import Load
-from planar_cli.motion.guards import speed_of
-from planar_cli.motion.held import Held
-from planar_cli.motion.quantities import Quantities
-from planar_cli.motion.regime import Regime
-from planar_cli.motion.scene import MovingScene
-from planar_cli.motion.terms import Term
-from planar_cli.problem.acting import kind_of
-from planar_cli.problem.geometry import Vec
+from planar_cli.motion.regime.guards import speed_of
+from planar_cli.motion.regime.held import Held
+from planar_cli.motion.regime.regime import Regime
+from planar_cli.motion.scene.quantities import Quantities
+from planar_cli.motion.scene.scene import MovingScene
+from planar_cli.motion.terms.terms import Term
+from planar_cli.problem.scene.acting import kind_of
+from planar_cli.problem.scene.geometry import Vec
 
 
 def heat_of(name: str, quantities: Quantities, regime: Regime, scene: MovingScene) -> Term:

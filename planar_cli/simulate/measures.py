@@ -17,18 +17,18 @@ from typing import TypeVar
 from planar_cli.errors import Diagnostic, FileProblem, Mark, Undecided
 from planar_cli.integrators.base import OUTSIDE
 from planar_cli.joints.base import distinct
-from planar_cli.motion.hybrid import HybridModel
-from planar_cli.motion.model import Model
-from planar_cli.motion.quantities import Quantities
-from planar_cli.motion.regime import Regime
-from planar_cli.motion.routine import Routine
-from planar_cli.motion.terms import Term, ordered
-from planar_cli.motion.trajectory import Trajectory
-from planar_cli.problem.ended import told_before
-from planar_cli.problem.expression import Grouped, Number, Quantity, Relation, Side
-from planar_cli.problem.geometry import Vec
-from planar_cli.problem.reactions import Reactions
-from planar_cli.problem.walk import walk
+from planar_cli.motion.regime.hybrid import HybridModel
+from planar_cli.motion.regime.model import Model
+from planar_cli.motion.regime.regime import Regime
+from planar_cli.motion.scene.quantities import Quantities
+from planar_cli.motion.terms.routine import Routine
+from planar_cli.motion.terms.terms import Term, ordered
+from planar_cli.motion.trajectory.trajectory import Trajectory
+from planar_cli.problem.language.expression import Grouped, Number, Quantity, Relation, Side
+from planar_cli.problem.language.walk import walk
+from planar_cli.problem.scene.ended import told_before
+from planar_cli.problem.scene.geometry import Vec
+from planar_cli.problem.scene.reactions import Reactions
 from planar_cli.records import changing, record
 
 Asked = TypeVar("Asked", bound=Side | Relation)

@@ -7,9 +7,9 @@ from collections.abc import Iterator
 from xml.sax.saxutils import quoteattr
 
 from planar_cli.errors import PlanarError
-from planar_cli.motion.model import Model
-from planar_cli.problem.facts import Joining
-from planar_cli.problem.scene import GROUND
+from planar_cli.motion.regime.model import Model
+from planar_cli.problem.scene.facts import Joining
+from planar_cli.problem.scene.scene import GROUND
 from planar_cli.records import record
 from planar_cli.simulate.run import Run
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 
 from planar_cli.errors import Mark
-from planar_cli.problem.expression import Relation
-from planar_cli.problem.scene import Problem
+from planar_cli.problem.language.expression import Relation
+from planar_cli.problem.scene.scene import Problem
 from planar_cli.records import record
 from planar_cli.simulate.shooting import Shot, motion_with, shots, values_tried
 from planar_cli.simulate.shooting_of_extremes import golden_section

@@ -14,7 +14,7 @@ from importlib.util import find_spec
 from typing import Any, ClassVar
 
 from planar_cli.errors import PlanarError
-from planar_cli.motion.regime import Regime
+from planar_cli.motion.regime.regime import Regime
 from planar_cli.records import record
 from planar_cli.simulate.mechanism import GROUND, Mechanism
 from planar_cli.simulate.run import Run

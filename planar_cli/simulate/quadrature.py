@@ -10,7 +10,7 @@ import heapq
 from collections.abc import Callable, Iterable, Sequence
 from math import fsum
 
-from planar_cli.motion.balance import NODES
+from planar_cli.motion.trajectory.balance import NODES
 from planar_cli.records import record
 
 CLOSE = 1e-13

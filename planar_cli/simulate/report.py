@@ -8,10 +8,10 @@ from dataclasses import field
 from typing import Any
 
 from planar_cli.errors import Diagnostic, FileProblem, Mark, NoSolution
-from planar_cli.motion.trajectory import Transition
-from planar_cli.problem.reading import did_you_mean
-from planar_cli.problem.scene import Answer, Find, Problem
-from planar_cli.problem.show import spreadsheet_cell
+from planar_cli.motion.trajectory.trajectory import Transition
+from planar_cli.problem.nodes.reading import did_you_mean
+from planar_cli.problem.nodes.show import spreadsheet_cell
+from planar_cli.problem.scene.scene import Answer, Find, Problem
 from planar_cli.records import record
 from planar_cli.simulate.answers import Answered
 from planar_cli.simulate.columns import USUAL, in_width, wrapped

@@ -8,10 +8,10 @@ from typing import TypeVar
 
 from planar_cli.base_units import in_base
 from planar_cli.errors import Diagnostic, FileProblem, Mark
-from planar_cli.problem.checks import check
-from planar_cli.problem.expression import Found, Number, Relation
-from planar_cli.problem.parser import ParseError, parse_found, parse_side, parse_statement
-from planar_cli.problem.scene import Find, Problem, State
+from planar_cli.problem.checks.checks import check
+from planar_cli.problem.language.expression import Found, Number, Relation
+from planar_cli.problem.language.parser import ParseError, parse_found, parse_side, parse_statement
+from planar_cli.problem.scene.scene import Find, Problem, State
 from planar_cli.records import record
 from planar_cli.units import TIME, parse_unit
 

@@ -3,7 +3,7 @@
     Problem -> MovingScene -> Model -> Trajectory -> answers
 
 The run is made twice, the second time with a tighter tolerance: how far the two are apart estimates the error of what
-has come of all steps (motion/estimate.py).
+has come of all steps (motion/follow/estimate.py).
 """
 
 from __future__ import annotations
@@ -16,20 +16,20 @@ from types import MappingProxyType
 
 from planar_cli.errors import Diagnostic, FileProblem, Mark, NoSolution
 from planar_cli.integrators.base import MOST_STEPS, Setting
-from planar_cli.motion.automaton import Start
-from planar_cli.motion.drive import AUTOMATIC, order_of
-from planar_cli.motion.estimate import by_halving, shifts, tighter
-from planar_cli.motion.follow import Follower
-from planar_cli.motion.model import Model
-from planar_cli.motion.regime import Regime
-from planar_cli.motion.schedule import Event, Reached, Schedule
-from planar_cli.motion.stages import SceneStages, stages_of
-from planar_cli.motion.trajectory import Trajectory
-from planar_cli.motion.transition import Moment as Instant
-from planar_cli.motion.transition import Resolved, resolve
-from planar_cli.problem.expression import Quantity, Relation, Side
-from planar_cli.problem.scene import Answer, Problem
-from planar_cli.problem.static_alone import demand_kinetic
+from planar_cli.motion.follow.estimate import by_halving, shifts, tighter
+from planar_cli.motion.follow.follow import Follower
+from planar_cli.motion.follow.stages import SceneStages, stages_of
+from planar_cli.motion.follow.transition import Moment as Instant
+from planar_cli.motion.follow.transition import Resolved, resolve
+from planar_cli.motion.regime.model import Model
+from planar_cli.motion.regime.regime import Regime
+from planar_cli.motion.trajectory.automaton import Start
+from planar_cli.motion.trajectory.drive import AUTOMATIC, order_of
+from planar_cli.motion.trajectory.schedule import Event, Reached, Schedule
+from planar_cli.motion.trajectory.trajectory import Trajectory
+from planar_cli.problem.implied.static_alone import demand_kinetic
+from planar_cli.problem.language.expression import Quantity, Relation, Side
+from planar_cli.problem.scene.scene import Answer, Problem
 from planar_cli.records import record
 from planar_cli.simulate.agreement import demand_agreement
 from planar_cli.simulate.answers import Answered, Answers
@@ -385,7 +385,7 @@ def units_of(answers: Sequence[Answer]) -> dict[str, str]:
 
 
 def _unit(value: Side | tuple[Side, ...] | bool | str) -> str | None:
-    from planar_cli.problem.walk import walk
+    from planar_cli.problem.language.walk import walk
 
     sides = value if isinstance(value, tuple) else (value,)
     for side in sides:

@@ -6,10 +6,10 @@ import math
 from collections.abc import Iterator, Sequence
 
 from planar_cli.integrators.base import OUTSIDE
-from planar_cli.motion.regime import Regime
-from planar_cli.motion.segment import Segment
-from planar_cli.motion.trajectory import Trajectory
-from planar_cli.problem.expression import Side
+from planar_cli.motion.regime.regime import Regime
+from planar_cli.motion.trajectory.segment import Segment
+from planar_cli.motion.trajectory.trajectory import Trajectory
+from planar_cli.problem.language.expression import Side
 from planar_cli.records import record
 from planar_cli.simulate.run import Run
 

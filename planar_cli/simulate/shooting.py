@@ -13,11 +13,11 @@ from dataclasses import replace
 from itertools import pairwise
 
 from planar_cli.errors import PlanarError
-from planar_cli.motion.regime import Regime
-from planar_cli.motion.scales import Scales
-from planar_cli.problem.expression import Extreme, Name, Quantity, Relation, Statement
-from planar_cli.problem.scene import Problem, State, Symbol
-from planar_cli.problem.walk import walk
+from planar_cli.motion.regime.regime import Regime
+from planar_cli.motion.terms.scales import Scales
+from planar_cli.problem.language.expression import Extreme, Name, Quantity, Relation, Statement
+from planar_cli.problem.language.walk import walk
+from planar_cli.problem.scene.scene import Problem, State, Symbol
 from planar_cli.records import record
 from planar_cli.simulate.measures import modes_of
 from planar_cli.simulate.run import Run, Settings, followed, prepared

@@ -17,9 +17,9 @@ from itertools import product
 
 import numpy as np
 
-from planar_cli.problem.expression import Relation, Statement
-from planar_cli.problem.not_negative import not_negative
-from planar_cli.problem.scene import Problem, State, Symbol
+from planar_cli.problem.implied.not_negative import not_negative
+from planar_cli.problem.language.expression import Relation, Statement
+from planar_cli.problem.scene.scene import Problem, State, Symbol
 from planar_cli.records import record
 from planar_cli.simulate.shooting import motion_with, passes, scales_tried
 from planar_cli.simulate.timetable import Timetable, is_time, mode_of

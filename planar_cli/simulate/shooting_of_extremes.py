@@ -10,8 +10,8 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
-from planar_cli.problem.expression import Extreme
-from planar_cli.problem.scene import Problem, State
+from planar_cli.problem.language.expression import Extreme
+from planar_cli.problem.scene.scene import Problem, State
 from planar_cli.records import record
 from planar_cli.simulate.run import Run
 from planar_cli.simulate.shooting import motion_with, telling, values_tried

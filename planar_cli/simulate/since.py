@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from planar_cli.motion.automaton import Automaton, Choice, Corner, Start
-from planar_cli.motion.stages import SceneStages
+from planar_cli.motion.follow.stages import SceneStages
+from planar_cli.motion.trajectory.automaton import Automaton, Choice, Corner, Start
 from planar_cli.records import record
 from planar_cli.simulate.measures import Moment
 
@@ -22,7 +22,7 @@ class Since:
 
 @record
 class Later:
-    """The stages of a scene once the states `before` have been reached (motion/automaton.py)."""
+    """The stages of a scene once the states `before` have been reached (motion/trajectory/automaton.py)."""
 
     stages: SceneStages
     before: tuple[str, ...]

@@ -13,10 +13,10 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import pairwise
 
 from planar_cli.integrators.base import OUTSIDE
-from planar_cli.motion.regime import Regime
-from planar_cli.motion.segment import Segment
-from planar_cli.motion.source import compiled
-from planar_cli.problem.expression import Quantity
+from planar_cli.motion.regime.regime import Regime
+from planar_cli.motion.terms.source import compiled
+from planar_cli.motion.trajectory.segment import Segment
+from planar_cli.problem.language.expression import Quantity
 from planar_cli.records import record
 from planar_cli.simulate.measures import Moment
 from planar_cli.simulate.run import Run

@@ -15,14 +15,14 @@ from itertools import pairwise
 
 from planar_cli.errors import Diagnostic, FileProblem, Undecided
 from planar_cli.integrators.base import Step
-from planar_cli.motion.crossings import root
-from planar_cli.motion.regime import Regime
-from planar_cli.motion.segment import Segment
-from planar_cli.motion.terms import Term
-from planar_cli.motion.trajectory import Trajectory
-from planar_cli.problem.expression import Part, Quantity, Relation
-from planar_cli.problem.geometry import Vec
-from planar_cli.problem.scope import Scope
+from planar_cli.motion.regime.regime import Regime
+from planar_cli.motion.terms.crossings import root
+from planar_cli.motion.terms.terms import Term
+from planar_cli.motion.trajectory.segment import Segment
+from planar_cli.motion.trajectory.trajectory import Trajectory
+from planar_cli.problem.checks.scope import Scope
+from planar_cli.problem.language.expression import Part, Quantity, Relation
+from planar_cli.problem.scene.geometry import Vec
 from planar_cli.records import record
 from planar_cli.simulate.blows import Blows
 from planar_cli.simulate.heat import heat_of
@@ -226,7 +226,7 @@ class Spans:
 
     def _about(self, q: Quantity) -> str | None:
         """The point behind the stroke, if it is one."""
-        from planar_cli.problem.check_dimensions import about
+        from planar_cli.problem.checks.check_dimensions import about
 
         return about(q, self.scope)
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from planar_cli.errors import Diagnostic, Mark, NoSolution, Undecided
 from planar_cli.joints.base import distinct
-from planar_cli.motion.trajectory import Outcome, Trajectory
-from planar_cli.problem.scene import Problem
+from planar_cli.motion.trajectory.trajectory import Outcome, Trajectory
+from planar_cli.problem.scene.scene import Problem
 
 CONTRADICTIONS = ("PL539", "PL700", "PL701", "PL708", "PL714", "PL715", "PL717", "PL718")
 """Codes of outcomes in which the scene contradicts itself, or has none or several ways to go on."""

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from itertools import pairwise
 
-from planar_cli.motion.regime import Regime
-from planar_cli.motion.segment import Segment
-from planar_cli.motion.trajectory import Trajectory
-from planar_cli.problem.expression import Relation
+from planar_cli.motion.regime.regime import Regime
+from planar_cli.motion.trajectory.segment import Segment
+from planar_cli.motion.trajectory.trajectory import Trajectory
+from planar_cli.problem.language.expression import Relation
 from planar_cli.simulate.measures import Measures
 
 LOOKS = 8

@@ -8,10 +8,10 @@ from dataclasses import replace
 
 from planar_cli.errors import PlanarError
 from planar_cli.integrators.base import MOST_STEPS
-from planar_cli.motion.drive import IMPLICIT
-from planar_cli.motion.regime import Regime
-from planar_cli.motion.trajectory import Trajectory, Transition
-from planar_cli.problem.scene import Problem
+from planar_cli.motion.regime.regime import Regime
+from planar_cli.motion.trajectory.drive import IMPLICIT
+from planar_cli.motion.trajectory.trajectory import Trajectory, Transition
+from planar_cli.problem.scene.scene import Problem
 from planar_cli.simulate.accuracy import REFERENCES, Ran, Row
 from planar_cli.simulate.peers import PEERS, Peer, largest_of
 from planar_cli.simulate.run import Prepared, Run, Settings, followed, prepared

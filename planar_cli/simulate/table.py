@@ -6,13 +6,13 @@ from collections.abc import Collection, Iterator, Sequence
 
 from planar_cli.base_units import in_base
 from planar_cli.errors import Mark
-from planar_cli.motion.regime import Regime
-from planar_cli.problem.check_dimensions import Kinds
-from planar_cli.problem.expression import Found, Name, Quantity, Relation, Side
-from planar_cli.problem.scene import Find, Problem
-from planar_cli.problem.scope import Scope
-from planar_cli.problem.walk import Tree, walk
-from planar_cli.problem.words import OF_SWINGS
+from planar_cli.motion.regime.regime import Regime
+from planar_cli.problem.checks.check_dimensions import Kinds
+from planar_cli.problem.checks.scope import Scope
+from planar_cli.problem.language.expression import Found, Name, Quantity, Relation, Side
+from planar_cli.problem.language.walk import Tree, walk
+from planar_cli.problem.language.words import OF_SWINGS
+from planar_cli.problem.scene.scene import Find, Problem
 from planar_cli.records import record
 from planar_cli.simulate.answers import usual_unit
 from planar_cli.simulate.measures import Several

@@ -7,14 +7,15 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from planar_cli.errors import Diagnostic, FileProblem, Mark
-from planar_cli.motion.automaton import Choice
-from planar_cli.motion.automaton import Regime as AnyRegime
-from planar_cli.motion.regime import Regime
-from planar_cli.motion.scene import MovingScene
-from planar_cli.motion.schedule import Condition, Crossing, Event, Schedule
-from planar_cli.problem.check_dimensions import Kinds
-from planar_cli.problem.dimensions import dimension_of
-from planar_cli.problem.expression import (
+from planar_cli.motion.regime.regime import Regime
+from planar_cli.motion.scene.scene import MovingScene
+from planar_cli.motion.trajectory.automaton import Choice
+from planar_cli.motion.trajectory.automaton import Regime as AnyRegime
+from planar_cli.motion.trajectory.schedule import Condition, Crossing, Event, Schedule
+from planar_cli.problem.checks.check_dimensions import Kinds
+from planar_cli.problem.checks.scope import Scope
+from planar_cli.problem.language.dimensions import dimension_of
+from planar_cli.problem.language.expression import (
     AtRest,
     Equilibrium,
     Extreme,
@@ -27,9 +28,8 @@ from planar_cli.problem.expression import (
     Statement,
     Word,
 )
-from planar_cli.problem.scene import Problem, State
-from planar_cli.problem.scope import Scope
-from planar_cli.problem.walk import walk
+from planar_cli.problem.language.walk import walk
+from planar_cli.problem.scene.scene import Problem, State
 from planar_cli.simulate.measures import Measures, Values
 
 NEAR = 1e-7

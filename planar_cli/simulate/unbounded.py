@@ -6,12 +6,12 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from planar_cli.motion.automaton import Start
-from planar_cli.motion.model import Model
-from planar_cli.motion.source import compiled
-from planar_cli.motion.stages import SceneStages
-from planar_cli.motion.trajectory import Trajectory
-from planar_cli.motion.transition import Moment, Resolved, resolve
+from planar_cli.motion.follow.stages import SceneStages
+from planar_cli.motion.follow.transition import Moment, Resolved, resolve
+from planar_cli.motion.regime.model import Model
+from planar_cli.motion.terms.source import compiled
+from planar_cli.motion.trajectory.automaton import Start
+from planar_cli.motion.trajectory.trajectory import Trajectory
 
 UNBOUNDED = "PL719"
 DEPARTS = 1e-6

@@ -9,8 +9,8 @@ from dataclasses import replace
 
 import sympy as sp
 
-from planar_cli.equation.ledger import Ledger
-from planar_cli.equation.plain import longer, simplified
+from planar_cli.equation.algebra.plain import longer, simplified
+from planar_cli.equation.values.ledger import Ledger
 from planar_cli.solve.solution import Found
 from planar_cli.solve.solved_problem import PartSolution
 from planar_cli.units import PURE

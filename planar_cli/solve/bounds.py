@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
-from planar_cli.problem.expression import Extreme, Relation, Statement
-from planar_cli.problem.scene import Problem, State
+from planar_cli.problem.language.expression import Extreme, Relation, Statement
+from planar_cli.problem.scene.scene import Problem, State
 from planar_cli.records import record
 from planar_cli.simulate.run import Run
 from planar_cli.simulate.shooting import shooting

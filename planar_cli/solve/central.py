@@ -14,9 +14,9 @@ from typing import Any
 from planar_cli.errors import Mark, NoSolution, Undecided
 from planar_cli.joints.base import Joint
 from planar_cli.loads.base import Load
-from planar_cli.problem.expression import AtRest, Binary, Name, Negate, Number, Quantity, Relation, Side
-from planar_cli.problem.scene import At, Body, Particle, Point, Polar, Problem, State, Symbol
-from planar_cli.problem.walk import is_endless
+from planar_cli.problem.language.expression import AtRest, Binary, Name, Negate, Number, Quantity, Relation, Side
+from planar_cli.problem.language.walk import is_endless
+from planar_cli.problem.scene.scene import At, Body, Particle, Point, Polar, Problem, State, Symbol
 from planar_cli.solve.solved_problem import Solution
 
 QUARTER = {(1, 0): 0, (0, 1): 90, (-1, 0): 180, (0, -1): -90}

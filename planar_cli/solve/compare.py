@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from planar_cli.errors import FileProblem
-from planar_cli.problem.scene import Problem
+from planar_cli.problem.scene.scene import Problem
 from planar_cli.records import record
 from planar_cli.solve.instant.used import used_blocks
 from planar_cli.solve.principled import every_principle, principle_of

@@ -12,15 +12,15 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.setup import Earlier, numbers_of
+from planar_cli.equation.system.setup import Earlier, numbers_of
 from planar_cli.errors import Diagnostic, FileProblem, NoSolution, NoValue
-from planar_cli.motion.unstable import growth_note
-from planar_cli.problem.expression import Equilibrium, JustAfter, Name, Quantity, Relation, Side
-from planar_cli.problem.scene import Problem
-from planar_cli.problem.walk import is_endless, names_of_states, walk
+from planar_cli.motion.follow.unstable import growth_note
+from planar_cli.problem.language.expression import Equilibrium, JustAfter, Name, Quantity, Relation, Side
+from planar_cli.problem.language.walk import is_endless, names_of_states, walk
+from planar_cli.problem.scene.scene import Problem
 from planar_cli.simulate.answers import NOT_FOLLOWED, Answered
 from planar_cli.simulate.run import BEGINNING, Run, Settings, Simulation, answered, simulate
-from planar_cli.solve.between.trace import MotionTrace
+from planar_cli.solve.between.trace.trace import MotionTrace
 from planar_cli.solve.contradicted import DIFFERENT, HINT, Seen, disagreement, shown
 from planar_cli.solve.diagnosis.left_open import demand_told
 from planar_cli.solve.first_stretch import ALONG, CERTAIN, FAINT, FirstStretch, varies

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from decimal import Decimal
 
-from planar_cli.equation.ledger import display
+from planar_cli.equation.values.ledger import display
 from planar_cli.errors import Diagnostic
-from planar_cli.problem.scene import Problem
+from planar_cli.problem.scene.scene import Problem
 from planar_cli.records import record
 from planar_cli.solve.diagnosis.words import in_unit
 from planar_cli.solve.instances import Instance

@@ -13,13 +13,13 @@ from decimal import Decimal
 import sympy as sp
 
 from planar_cli.errors import Mark, NoValue
-from planar_cli.motion.regime import Regime
-from planar_cli.problem.expression import Name, Side
+from planar_cli.motion.regime.regime import Regime
+from planar_cli.problem.language.expression import Name, Side
 from planar_cli.records import record
 from planar_cli.simulate.measures import START, Moment
 from planar_cli.simulate.run import Run
 from planar_cli.simulate.timetable import Timetable
-from planar_cli.solve.between.trace import MotionTrace
+from planar_cli.solve.between.trace.trace import MotionTrace
 from planar_cli.solve.contradicted import Seen, shown
 from planar_cli.solve.instances import Instance
 from planar_cli.solve.solution import Found

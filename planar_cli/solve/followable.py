@@ -5,10 +5,10 @@ from __future__ import annotations
 from dataclasses import replace
 
 from planar_cli.integrators.base import MOST_STEPS
-from planar_cli.problem.expression import JustAfter, Quantity
-from planar_cli.problem.scene import Problem
-from planar_cli.problem.unused import used_names
-from planar_cli.problem.walk import is_endless, walk
+from planar_cli.problem.checks.unused import used_names
+from planar_cli.problem.language.expression import JustAfter, Quantity
+from planar_cli.problem.language.walk import is_endless, walk
+from planar_cli.problem.scene.scene import Problem
 from planar_cli.simulate.answers import NOT_FOLLOWED
 from planar_cli.solve.following.dated import begun, dated, is_told_by_a_span, told_by_what_follows
 from planar_cli.solve.following.traced import BEYOND, SEARCHED_STEPS

@@ -10,17 +10,17 @@ from collections.abc import Mapping
 
 import sympy as sp
 
-from planar_cli.equation.exact import Settled, Valuation
+from planar_cli.equation.values.exact import Settled, Valuation
 from planar_cli.errors import Diagnostic, NoSolution, PlanarError
 from planar_cli.integrators.base import MOST_STEPS
-from planar_cli.motion.hybrid import HybridModel
-from planar_cli.problem.expression import JustAfter, Relation
-from planar_cli.problem.facts import FAR
-from planar_cli.problem.scene import Problem
+from planar_cli.motion.regime.hybrid import HybridModel
+from planar_cli.problem.language.expression import JustAfter, Relation
+from planar_cli.problem.scene.facts import FAR
+from planar_cli.problem.scene.scene import Problem
 from planar_cli.simulate.answers import Answered
 from planar_cli.simulate.dated_by_spans import dated_by_spans, span_relation
 from planar_cli.simulate.run import Run, Settings, begin, simulate
-from planar_cli.solve.between.reached import asked_about
+from planar_cli.solve.between.branches.reached import asked_about
 from planar_cli.solve.diagnosis.left_open import demand_told
 from planar_cli.solve.diagnosis.other_masses import demand_any_mass
 from planar_cli.solve.following.dated import is_told_by_a_span, told_by_what_follows

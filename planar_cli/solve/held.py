@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from planar_cli.problem.scene import Find
+from planar_cli.problem.scene.scene import Find
 from planar_cli.solve.diagnosis.any_mass import demand_cancelled
 from planar_cli.solve.diagnosis.cases import several_cases
 from planar_cli.solve.diagnosis.clash import demand_drawn

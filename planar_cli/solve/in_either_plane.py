@@ -11,10 +11,10 @@ from dataclasses import replace
 from typing import Any
 
 from planar_cli.errors import NoSolution, Undecided
-from planar_cli.problem.check_physics import ACCELERATIONS, OF_MOTION, is_told_as_motion, no_plane
-from planar_cli.problem.expression import Law, Quantity, Relation, Statement
-from planar_cli.problem.scene import Body, Composite, Problem
-from planar_cli.problem.walk import walk
+from planar_cli.problem.checks.check_physics import ACCELERATIONS, OF_MOTION, is_told_as_motion, no_plane
+from planar_cli.problem.language.expression import Law, Quantity, Relation, Statement
+from planar_cli.problem.language.walk import walk
+from planar_cli.problem.scene.scene import Body, Composite, Problem
 from planar_cli.solve.solved_problem import PartSolution
 from planar_cli.solve.static_alone import same_answer
 

@@ -11,11 +11,11 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.exact import Valuation
-from planar_cli.problem.expression import Name
-from planar_cli.problem.scene import Problem
+from planar_cli.equation.values.exact import Valuation
+from planar_cli.problem.language.expression import Name
+from planar_cli.problem.scene.scene import Problem
 from planar_cli.records import record
-from planar_cli.solve.between.trace import MotionTrace
+from planar_cli.solve.between.trace.trace import MotionTrace
 from planar_cli.solve.solution import Found
 from planar_cli.solve.taken import Taken
 from planar_cli.units import parse_unit

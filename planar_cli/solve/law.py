@@ -10,7 +10,7 @@ from planar_cli.records import record
 
 if TYPE_CHECKING:
     from planar_cli.calculus.vibrations import Vibration
-    from planar_cli.equation.displacement import Coordinate
+    from planar_cli.equation.scene.displacement import Coordinate
 
 ANOMALY = "anomaly"
 """The kind of the equations of an ellipse under an attraction K m/r²."""

@@ -12,9 +12,9 @@ from dataclasses import replace
 from itertools import chain, count
 from typing import Any
 
-from planar_cli.problem.expression import Equilibrium, Extreme, Found, Name, Relation, Statement, Word
-from planar_cli.problem.scene import Case, Find, Problem
-from planar_cli.problem.walk import names_of_states, walk
+from planar_cli.problem.language.expression import Equilibrium, Extreme, Found, Name, Relation, Statement, Word
+from planar_cli.problem.language.walk import names_of_states, walk
+from planar_cli.problem.scene.scene import Case, Find, Problem
 from planar_cli.solve.states import stand_at_states
 
 START, MOTION = "at_{}", "from_{}_on"

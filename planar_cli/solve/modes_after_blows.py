@@ -9,11 +9,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 
-from planar_cli.equation.setup import Earlier, numbers_of
-from planar_cli.equation.system import mode_of
+from planar_cli.equation.system.setup import Earlier, numbers_of
+from planar_cli.equation.system.system import mode_of
 from planar_cli.errors import NoSolution, Undecided
-from planar_cli.problem.expression import JustAfter, Quantity, Relation
-from planar_cli.problem.scene import Find, Problem
+from planar_cli.problem.language.expression import JustAfter, Quantity, Relation
+from planar_cli.problem.scene.scene import Find, Problem
 from planar_cli.solve.instant.verify import Disagreement
 from planar_cli.solve.orders import in_each_order
 from planar_cli.solve.roads import without

@@ -8,33 +8,33 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.equation.exact import Unvalued
-from planar_cli.equation.sample import other_draws, seeded
+from planar_cli.equation.values.exact import Unvalued
+from planar_cli.equation.values.sample import other_draws, seeded
 from planar_cli.errors import NoSolution, Undecided, undecided_at
-from planar_cli.problem.scene import Problem
-from planar_cli.solve.between.accelerations_asked import accelerated
-from planar_cli.solve.between.agreement import compared, integrated
-from planar_cli.solve.between.answers import AnsweredFind, Answering, closed_formula
-from planar_cli.solve.between.asked_finds import AskedFind, asked_letters
-from planar_cli.solve.between.assumptions import presumed
-from planar_cli.solve.between.by_given import with_constants
-from planar_cli.solve.between.by_numbers import ByNumbers, by_numbers
-from planar_cli.solve.between.complete import completed
-from planar_cli.solve.between.derivation import Route
-from planar_cli.solve.between.half_swings import dates_by_modes, half_swings
-from planar_cli.solve.between.in_order import in_order
-from planar_cli.solve.between.independence import rests_on
-from planar_cli.solve.between.masses import demand_mass
-from planar_cli.solve.between.methods import by_method, not_reached_by
-from planar_cli.solve.between.motion_trace import motion_trace
-from planar_cli.solve.between.needed import laws_of
-from planar_cli.solve.between.part_equations import NO_PARTS, PartEquations, part_equations
-from planar_cli.solve.between.provisos import course_provisos
-from planar_cli.solve.between.reached import reaching
-from planar_cli.solve.between.route import Router
-from planar_cli.solve.between.solved_motion import SolvedMotion
-from planar_cli.solve.between.stated_motion import StatedMotion
-from planar_cli.solve.between.throughout import Throughout
+from planar_cli.problem.scene.scene import Problem
+from planar_cli.solve.between.branches.agreement import compared, integrated
+from planar_cli.solve.between.branches.complete import completed
+from planar_cli.solve.between.branches.reached import reaching
+from planar_cli.solve.between.branches.solved_motion import SolvedMotion
+from planar_cli.solve.between.equations.asked_finds import AskedFind, asked_letters
+from planar_cli.solve.between.equations.masses import demand_mass
+from planar_cli.solve.between.equations.methods import by_method, not_reached_by
+from planar_cli.solve.between.equations.part_equations import NO_PARTS, PartEquations, part_equations
+from planar_cli.solve.between.equations.stated_motion import StatedMotion
+from planar_cli.solve.between.route.by_given import with_constants
+from planar_cli.solve.between.route.by_numbers import ByNumbers, by_numbers
+from planar_cli.solve.between.route.route import Router
+from planar_cli.solve.between.route.throughout import Throughout
+from planar_cli.solve.between.told.accelerations_asked import accelerated
+from planar_cli.solve.between.told.answers import AnsweredFind, Answering, closed_formula
+from planar_cli.solve.between.told.assumptions import presumed
+from planar_cli.solve.between.told.half_swings import dates_by_modes, half_swings
+from planar_cli.solve.between.told.in_order import in_order
+from planar_cli.solve.between.told.independence import rests_on
+from planar_cli.solve.between.told.motion_trace import motion_trace
+from planar_cli.solve.between.told.needed import laws_of
+from planar_cli.solve.between.told.provisos import course_provisos
+from planar_cli.solve.between.trace.derivation import Route
 from planar_cli.solve.curves.formulas import at_given_time
 from planar_cli.solve.diagnosis.any_mass import demand_cancelled
 from planar_cli.solve.diagnosis.directions_left_open import by_method_alone

@@ -6,11 +6,11 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from planar_cli.base_units import in_base
-from planar_cli.equation.setup import first_unit
+from planar_cli.equation.system.setup import first_unit
 from planar_cli.errors import NoSolution, PlanarError
-from planar_cli.problem.check_dimensions import Kinds
-from planar_cli.problem.scene import Problem
-from planar_cli.problem.scope import Scope
+from planar_cli.problem.checks.check_dimensions import Kinds
+from planar_cli.problem.checks.scope import Scope
+from planar_cli.problem.scene.scene import Problem
 from planar_cli.simulate.answers import usual_unit
 from planar_cli.simulate.nearest_miss import nearest
 from planar_cli.units import Unit, parse_unit

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from planar_cli.problem.expression import Number, Quantity, Relation
-from planar_cli.problem.scene import Problem
+from planar_cli.problem.language.expression import Number, Quantity, Relation
+from planar_cli.problem.scene.scene import Problem
 from planar_cli.simulate.run import Run
 from planar_cli.solve.taken import Taken
 

@@ -14,15 +14,15 @@ from itertools import product
 
 import sympy as sp
 
-from planar_cli.equation.expansion import expanded
-from planar_cli.equation.factoring import factored
-from planar_cli.equation.scene import Scene
-from planar_cli.equation.setup import Earlier, Setup
-from planar_cli.equation.system import Statements
+from planar_cli.equation.algebra.expansion import expanded
+from planar_cli.equation.algebra.factoring import factored
+from planar_cli.equation.scene.scene import Scene
+from planar_cli.equation.system.setup import Earlier, Setup
+from planar_cli.equation.system.system import Statements
 from planar_cli.errors import Diagnostic, FileProblem, NoSolution, PlanarError, Undecided
-from planar_cli.problem.expression import Equilibrium, Relation, Statement
-from planar_cli.problem.parser import parse_statement
-from planar_cli.problem.scene import Problem
+from planar_cli.problem.language.expression import Equilibrium, Relation, Statement
+from planar_cli.problem.language.parser import parse_statement
+from planar_cli.problem.scene.scene import Problem
 from planar_cli.solve.diagnosis.words import in_unit, listed
 from planar_cli.solve.solution import Found
 from planar_cli.solve.solved_problem import PartSolution

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from planar_cli.equation.displacement import Coordinate
-from planar_cli.equation.exact import Valuation
-from planar_cli.equation.system import System
+from planar_cli.equation.scene.displacement import Coordinate
+from planar_cli.equation.system.system import System
+from planar_cli.equation.values.exact import Valuation
 from planar_cli.principles.base import Family, Position, Principle
 from planar_cli.registry import members
 

@@ -9,12 +9,12 @@ from collections.abc import Iterable
 from dataclasses import replace
 from typing import Any
 
-from planar_cli.problem.expression import AtRest, Equilibrium, Extreme, JustAfter, Name, Quantity, Relation
-from planar_cli.problem.formulas import formulas
-from planar_cli.problem.outermost import quantities_in
-from planar_cli.problem.scene import Find, Problem, State
-from planar_cli.problem.walk import walk
-from planar_cli.problem.words import OF_SWINGS
+from planar_cli.problem.checks.formulas import formulas
+from planar_cli.problem.language.expression import AtRest, Equilibrium, Extreme, JustAfter, Name, Quantity, Relation
+from planar_cli.problem.language.outermost import quantities_in
+from planar_cli.problem.language.walk import walk
+from planar_cli.problem.language.words import OF_SWINGS
+from planar_cli.problem.scene.scene import Find, Problem, State
 from planar_cli.solve.instant.asked import FORCES, has_mass
 from planar_cli.solve.regimes.mode_dates import told_by_modes
 

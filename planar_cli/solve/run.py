@@ -11,14 +11,14 @@ from typing import Any
 import sympy as sp
 from sympy.core.random import seed
 
-from planar_cli.equation.exact import Unvalued
-from planar_cli.equation.setup import Earlier, first_unit, numbers_of
-from planar_cli.equation.system import System
+from planar_cli.equation.system.setup import Earlier, first_unit, numbers_of
+from planar_cli.equation.system.system import System
+from planar_cli.equation.values.exact import Unvalued
 from planar_cli.errors import Mark, NoSolution, NoValue, Undecided, refuse
-from planar_cli.problem.as_meant import as_meant
-from planar_cli.problem.instants_in_time import with_dated_instants
-from planar_cli.problem.lettered import lettered
-from planar_cli.problem.scene import Find, Problem
+from planar_cli.problem.implied.as_meant import as_meant
+from planar_cli.problem.implied.instants_in_time import with_dated_instants
+from planar_cli.problem.implied.lettered import lettered
+from planar_cli.problem.scene.scene import Find, Problem
 from planar_cli.solve.angles_given import with_angles_put_in
 from planar_cli.solve.central import best_placed
 from planar_cli.solve.diagnosis.any_mass import demand_cancelled

@@ -8,8 +8,8 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.calculus.curve_words import Curve
-from planar_cli.equation.exact import Settled, Valuation
-from planar_cli.problem.scene import Find
+from planar_cli.equation.values.exact import Settled, Valuation
+from planar_cli.problem.scene.scene import Find
 from planar_cli.records import changing, record
 from planar_cli.solve.instant.conditions import Proviso
 from planar_cli.solve.instant.instant import Instant, Trial

@@ -8,10 +8,10 @@ from collections.abc import Mapping
 from dataclasses import field
 from typing import TYPE_CHECKING
 
-from planar_cli.problem.expression import Side
-from planar_cli.problem.scene import Problem
+from planar_cli.problem.language.expression import Side
+from planar_cli.problem.scene.scene import Problem
 from planar_cli.records import changing, record
-from planar_cli.solve.between.trace import MotionTrace
+from planar_cli.solve.between.trace.trace import MotionTrace
 from planar_cli.solve.passages import Tale
 from planar_cli.solve.solution import Found, InstantSolution
 

@@ -6,14 +6,14 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from decimal import Decimal
 
-from planar_cli.equation.ledger import display
-from planar_cli.equation.setup import Earlier, numbers_of
+from planar_cli.equation.system.setup import Earlier, numbers_of
+from planar_cli.equation.values.ledger import display
 from planar_cli.errors import Diagnostic, NoSolution, PlanarError, Undecided
-from planar_cli.problem.expression import Extreme, Name, Relation
-from planar_cli.problem.known_values import KnownValues
-from planar_cli.problem.not_negative import limits_of_friction
-from planar_cli.problem.scene import Problem, Symbol
-from planar_cli.problem.walk import is_endless
+from planar_cli.problem.implied.not_negative import limits_of_friction
+from planar_cli.problem.language.expression import Extreme, Name, Relation
+from planar_cli.problem.language.walk import is_endless
+from planar_cli.problem.scene.known_values import KnownValues
+from planar_cli.problem.scene.scene import Problem, Symbol
 from planar_cli.simulate.shooting import has_no_effect, shooting
 from planar_cli.simulate.shooting_at_several import shooting_at_several
 from planar_cli.simulate.shooting_of_extremes import Best

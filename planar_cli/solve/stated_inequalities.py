@@ -10,13 +10,13 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from planar_cli.base_units import in_base
-from planar_cli.equation.setup import first_unit
-from planar_cli.equation.system import mode_of
+from planar_cli.equation.system.setup import first_unit
+from planar_cli.equation.system.system import mode_of
 from planar_cli.errors import Diagnostic, FileProblem, NoSolution, Undecided
-from planar_cli.problem.check_dimensions import Kinds
-from planar_cli.problem.expression import Relation
-from planar_cli.problem.scene import Problem
-from planar_cli.problem.scope import Scope
+from planar_cli.problem.checks.check_dimensions import Kinds
+from planar_cli.problem.checks.scope import Scope
+from planar_cli.problem.language.expression import Relation
+from planar_cli.problem.scene.scene import Problem
 from planar_cli.simulate.answers import usual_unit
 from planar_cli.simulate.measures import Moment, modes_of
 from planar_cli.simulate.run import Run

@@ -8,13 +8,13 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.equation.evaluate import Evaluator
-from planar_cli.equation.jets import Jet, constant
-from planar_cli.equation.ledger import Ledger
-from planar_cli.equation.plain import simplified
-from planar_cli.equation.setup import Earlier
-from planar_cli.problem.dimensions import dimension_of
-from planar_cli.problem.expression import (
+from planar_cli.equation.algebra.plain import simplified
+from planar_cli.equation.system.setup import Earlier
+from planar_cli.equation.values.evaluate import Evaluator
+from planar_cli.equation.values.jets import Jet, constant
+from planar_cli.equation.values.ledger import Ledger
+from planar_cli.problem.language.dimensions import dimension_of
+from planar_cli.problem.language.expression import (
     Binary,
     Found,
     Function,
@@ -26,8 +26,8 @@ from planar_cli.problem.expression import (
     Scaled,
     Side,
 )
-from planar_cli.problem.scene import Find, Problem
-from planar_cli.problem.walk import children, names_of_states
+from planar_cli.problem.language.walk import children, names_of_states
+from planar_cli.problem.scene.scene import Find, Problem
 from planar_cli.records import record
 from planar_cli.solve.solution import Found as Answered
 from planar_cli.solve.solution import InstantSolution

@@ -12,9 +12,9 @@ from fractions import Fraction
 from typing import Any
 
 from planar_cli.errors import NoSolution, Undecided
-from planar_cli.problem.expression import Binary, Number
-from planar_cli.problem.scene import Problem
-from planar_cli.problem.static_alone import kinetic_open, static_alone
+from planar_cli.problem.implied.static_alone import kinetic_open, static_alone
+from planar_cli.problem.language.expression import Binary, Number
+from planar_cli.problem.scene.scene import Problem
 from planar_cli.solve.solution import Found
 from planar_cli.solve.solved_problem import PartSolution
 

@@ -13,9 +13,9 @@ from dataclasses import replace
 from fractions import Fraction
 
 from planar_cli.errors import Diagnostic, NoSolution, PlanarError, refuse
-from planar_cli.problem.expression import Extreme, Name, Number, Relation
-from planar_cli.problem.scene import Problem, State
-from planar_cli.problem.walk import is_endless
+from planar_cli.problem.language.expression import Extreme, Name, Number, Relation
+from planar_cli.problem.language.walk import is_endless
+from planar_cli.problem.scene.scene import Problem, State
 from planar_cli.simulate.measures import Moment
 from planar_cli.simulate.run import Settings, followed, prepared
 

@@ -12,14 +12,14 @@ from dataclasses import replace
 
 import sympy as sp
 
-from planar_cli.equation.scene import Scene
-from planar_cli.equation.setup import Earlier, Setup
-from planar_cli.equation.system import Statements
+from planar_cli.equation.scene.scene import Scene
+from planar_cli.equation.system.setup import Earlier, Setup
+from planar_cli.equation.system.system import Statements
 from planar_cli.joints.base import Joint
-from planar_cli.problem.expression import AtRest, JustAfter, Quantity, Relation
-from planar_cli.problem.facts import Joining
-from planar_cli.problem.geometry import Vec
-from planar_cli.problem.scene import GROUND, Body, Line, Particle, Problem, Rod, Round
+from planar_cli.problem.language.expression import AtRest, JustAfter, Quantity, Relation
+from planar_cli.problem.scene.facts import Joining
+from planar_cli.problem.scene.geometry import Vec
+from planar_cli.problem.scene.scene import GROUND, Body, Line, Particle, Problem, Rod, Round
 from planar_cli.solve.principled import at_instants
 
 

@@ -11,10 +11,10 @@ from dataclasses import replace
 from typing import Any
 
 from planar_cli.errors import FileProblem, NoSolution
-from planar_cli.motion.model import Model
-from planar_cli.problem.expression import AtRest, Name, Quantity, Relation
-from planar_cli.problem.scene import Particle, Problem, State
-from planar_cli.problem.walk import names_of_states, walk
+from planar_cli.motion.regime.model import Model
+from planar_cli.problem.language.expression import AtRest, Name, Quantity, Relation
+from planar_cli.problem.language.walk import names_of_states, walk
+from planar_cli.problem.scene.scene import Particle, Problem, State
 from planar_cli.simulate.answers import Answered
 from planar_cli.simulate.run import BEGINNING, Run, simulate
 

@@ -7,7 +7,7 @@ from functools import partial
 from typing import Any
 
 from planar_cli.errors import Mark, PlanarError, Undecided, undecided_at
-from planar_cli.problem.scene import Problem
+from planar_cli.problem.scene.scene import Problem
 from planar_cli.solve.in_either_plane import in_either_plane
 from planar_cli.solve.solved_problem import PartSolution
 from planar_cli.solve.static_alone import whatever_kinetic

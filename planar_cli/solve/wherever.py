@@ -11,12 +11,12 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
-from planar_cli.equation.setup import names_in
+from planar_cli.equation.system.setup import names_in
 from planar_cli.errors import NoSolution, PlanarError
-from planar_cli.problem.expression import Name, Number, Relation, Statement
-from planar_cli.problem.ordinary import scales_of
-from planar_cli.problem.scene import Problem, Symbol
-from planar_cli.problem.walk import walk
+from planar_cli.problem.language.expression import Name, Number, Relation, Statement
+from planar_cli.problem.language.walk import walk
+from planar_cli.problem.scene.ordinary import scales_of
+from planar_cli.problem.scene.scene import Problem, Symbol
 from planar_cli.solve.solved_problem import PartSolution
 from planar_cli.solve.static_alone import same_answer
 from planar_cli.units import parse_unit

@@ -6,9 +6,9 @@ import math
 from collections.abc import Sequence
 from typing import TypeVar
 
-from planar_cli.problem.expression import Name, Relation
-from planar_cli.problem.scene import Problem
-from planar_cli.problem.walk import walk
+from planar_cli.problem.language.expression import Name, Relation
+from planar_cli.problem.language.walk import walk
+from planar_cli.problem.scene.scene import Problem
 from planar_cli.units import parse_unit
 
 Fit = TypeVar("Fit")

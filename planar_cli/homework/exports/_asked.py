@@ -10,9 +10,9 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
+from planar_cli.homework.checking.verdict import FLOOR
 from planar_cli.homework.exports._text import one_line
-from planar_cli.homework.paper import Expected, Mistaken, Paper, Task
-from planar_cli.homework.verdict import FLOOR
+from planar_cli.homework.sets.paper import Expected, Mistaken, Paper, Task
 from planar_cli.records import record
 from planar_cli.units import parse_unit, pretty_unit
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from planar_cli.homework.exports._text import as_attribute, one_line
-from planar_cli.homework.paper import Task
+from planar_cli.homework.sets.paper import Task
 from planar_cli.records import record
 
 SVG, WORDS = "svg", "words"

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from fractions import Fraction
 
-from planar_cli.homework.paper import Expected
+from planar_cli.homework.sets.paper import Expected
 
 # What PrairieLearn reads as a function or a constant, so that no letter may have that name.
 FUNCTIONS = frozenset(

@@ -9,7 +9,7 @@ import unicodedata
 from collections.abc import Iterable, Sequence
 from html import escape
 
-from planar_cli.problem.show import guarded, paragraphs_of
+from planar_cli.problem.nodes.show import guarded, paragraphs_of
 
 LONGEST_NAME = 64
 _RESERVED = re.compile(r"con|prn|aux|nul|com[0-9]|lpt[0-9]")

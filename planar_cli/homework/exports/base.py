@@ -10,7 +10,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
 from typing import ClassVar
 
-from planar_cli.homework.paper import Paper, Result
+from planar_cli.homework.sets.paper import Paper, Result
 from planar_cli.records import record
 
 

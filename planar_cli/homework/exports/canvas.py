@@ -6,10 +6,10 @@ from collections import Counter
 from collections.abc import Sequence
 from typing import ClassVar, final
 
-from planar_cli.homework.class_report import counting
 from planar_cli.homework.exports._text import one_line, slug, table
 from planar_cli.homework.exports.base import Exported, ResultExport
-from planar_cli.homework.paper import Result
+from planar_cli.homework.grading.class_report import counting
+from planar_cli.homework.sets.paper import Result
 
 HEADER = ("Student", "ID", "SIS User ID", "SIS Login ID", "Section")
 POINTS = "    Points Possible"

@@ -7,7 +7,7 @@ from typing import ClassVar, final
 
 from planar_cli.homework.exports._text import slug, table
 from planar_cli.homework.exports.base import Exported, ResultExport
-from planar_cli.homework.paper import Result
+from planar_cli.homework.sets.paper import Result
 
 HEADER = (
     "student",

@@ -8,7 +8,7 @@ from typing import Any, ClassVar, final
 
 from planar_cli.homework.exports._text import Names, clean, one_line
 from planar_cli.homework.exports.base import Exported, ResultExport
-from planar_cli.homework.paper import RIGHT, Graded, Result
+from planar_cli.homework.sets.paper import RIGHT, Graded, Result
 
 DECIMALS = 5
 """To so many places scores are rounded, as other autograders do."""

@@ -27,7 +27,7 @@ from planar_cli.homework.exports._spellings import spellings
 from planar_cli.homework.exports._text import bullets, html, number, one_line, paragraphs, slug, xml
 from planar_cli.homework.exports._xml import DECLARATION, element
 from planar_cli.homework.exports.base import Exported, PaperExport
-from planar_cli.homework.paper import Paper, Task
+from planar_cli.homework.sets.paper import Paper, Task
 
 PENALTY, UNIT_PENALTY = "0.3333333", "0.1"
 RIGHT, WRONG = "100", "0"

@@ -29,7 +29,7 @@ from planar_cli.homework.exports._symbolic import NoFormula, symbolic
 from planar_cli.homework.exports._text import Names, bullets, html, number, one_line, paragraphs, slug
 from planar_cli.homework.exports._xml import element, paired
 from planar_cli.homework.exports.base import Exported, PaperExport
-from planar_cli.homework.paper import Paper, Task
+from planar_cli.homework.sets.paper import Paper, Task
 from planar_cli.records import record
 from planar_cli.units import PURE, UnitError, parse_unit
 

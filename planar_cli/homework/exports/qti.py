@@ -26,7 +26,7 @@ from planar_cli.homework.exports._figure import SUFFIX, Figure, figure_of
 from planar_cli.homework.exports._text import Names, bullets, html, number, one_line, paragraphs, slug, xml
 from planar_cli.homework.exports._xml import DECLARATION, element
 from planar_cli.homework.exports.base import Exported, PaperExport
-from planar_cli.homework.paper import Paper
+from planar_cli.homework.sets.paper import Paper
 
 ITEMS = "http://www.imsglobal.org/xsd/imsqti_v2p1"
 PACKAGE = "http://www.imsglobal.org/xsd/imscp_v1p1"

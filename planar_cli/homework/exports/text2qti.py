@@ -25,7 +25,7 @@ from planar_cli.homework.exports._asked import (
 from planar_cli.homework.exports._spellings import ratio, smaller
 from planar_cli.homework.exports._text import clean, number, one_line, slug
 from planar_cli.homework.exports.base import Exported, PaperExport
-from planar_cli.homework.paper import Expected, Paper
+from planar_cli.homework.sets.paper import Expected, Paper
 
 SMALLEST = 1e-4
 """Canvas takes no bound of an interval that is nearer to zero."""

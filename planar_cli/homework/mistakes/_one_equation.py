@@ -7,8 +7,8 @@ from dataclasses import replace
 
 import sympy as sp
 
-from planar_cli.homework.printed_names import printed
-from planar_cli.problem.reading import listed
+from planar_cli.homework.sets.printed_names import printed
+from planar_cli.problem.nodes.reading import listed
 from planar_cli.replay.equations import Asked, Equations, Step
 
 FORCES = ("force", "moment")

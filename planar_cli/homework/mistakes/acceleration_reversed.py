@@ -8,10 +8,10 @@ from typing import ClassVar, final
 
 import sympy as sp
 
-from planar_cli.equation.parts_of_accelerations import CORIOLIS, NORMAL, TANGENTIAL
+from planar_cli.equation.values.parts_of_accelerations import CORIOLIS, NORMAL, TANGENTIAL
 from planar_cli.homework.mistakes._one_equation import FORCES, told
 from planar_cli.homework.mistakes.base import Mistake, Model, with_step_changed
-from planar_cli.problem.scene import Problem
+from planar_cli.problem.scene.scene import Problem
 from planar_cli.replay.equations import Equations
 from planar_cli.units import ACCELERATION, RATE_OF_RATE
 

@@ -15,13 +15,13 @@ from typing import Any, ClassVar
 import numpy as np
 import sympy as sp
 
-from planar_cli.equation.parts_of_accelerations import is_mark
+from planar_cli.equation.values.parts_of_accelerations import is_mark
 from planar_cli.errors import PlanarError
-from planar_cli.homework.paper import Expected
-from planar_cli.homework.printed_names import printed_rate
-from planar_cli.problem.expression import Binary, Name, Negate
-from planar_cli.problem.scene import Problem
-from planar_cli.problem.walk import walk
+from planar_cli.homework.sets.paper import Expected
+from planar_cli.homework.sets.printed_names import printed_rate
+from planar_cli.problem.language.expression import Binary, Name, Negate
+from planar_cli.problem.language.walk import walk
+from planar_cli.problem.scene.scene import Problem
 from planar_cli.records import record
 from planar_cli.replay.equations import Equations
 from planar_cli.replay.opened import NotWritten

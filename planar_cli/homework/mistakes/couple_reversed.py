@@ -6,8 +6,8 @@ from collections.abc import Iterable
 from typing import ClassVar, final
 
 from planar_cli.homework.mistakes.base import Mistake, Model, has_forces, inputs_at, with_put_in
-from planar_cli.homework.printed_names import printed
-from planar_cli.problem.scene import Problem
+from planar_cli.homework.sets.printed_names import printed
+from planar_cli.problem.scene.scene import Problem
 from planar_cli.replay.equations import Equations
 
 

@@ -9,7 +9,7 @@ import sympy as sp
 
 from planar_cli.homework.mistakes.base import Mistake, Model
 from planar_cli.homework.mistakes.sine_for_cosine import angles
-from planar_cli.problem.scene import Problem
+from planar_cli.problem.scene.scene import Problem
 from planar_cli.replay.equations import Equations
 
 

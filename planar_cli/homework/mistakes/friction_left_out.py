@@ -9,7 +9,7 @@ import sympy as sp
 
 from planar_cli.homework.mistakes._one_equation import in_last_equation
 from planar_cli.homework.mistakes.base import COEFFICIENTS, Mistake, Model, inputs_at, with_put_in
-from planar_cli.problem.scene import Problem
+from planar_cli.problem.scene.scene import Problem
 from planar_cli.replay.equations import Equations
 
 

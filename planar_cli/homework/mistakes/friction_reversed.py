@@ -7,7 +7,7 @@ from typing import ClassVar, final
 
 from planar_cli.homework.mistakes._one_equation import in_last_equation
 from planar_cli.homework.mistakes.base import COEFFICIENTS, Mistake, Model, has_forces, inputs_at, with_put_in
-from planar_cli.problem.scene import Problem
+from planar_cli.problem.scene.scene import Problem
 from planar_cli.replay.equations import Equations
 
 

@@ -10,9 +10,9 @@ import sympy as sp
 
 from planar_cli.base_units import factor_to_base, in_base
 from planar_cli.homework.mistakes.base import Mistake, Model, inputs_by_unit
-from planar_cli.homework.printed_names import printed
-from planar_cli.problem.reading import listed
-from planar_cli.problem.scene import Problem
+from planar_cli.homework.sets.printed_names import printed
+from planar_cli.problem.nodes.reading import listed
+from planar_cli.problem.scene.scene import Problem
 from planar_cli.replay.equations import Equations
 from planar_cli.units import PURE, RATE, Unit, pretty_unit
 

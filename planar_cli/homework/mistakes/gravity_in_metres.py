@@ -8,7 +8,7 @@ from typing import ClassVar, final
 import sympy as sp
 
 from planar_cli.homework.mistakes.base import Mistake, Model
-from planar_cli.problem.scene import Problem
+from planar_cli.problem.scene.scene import Problem
 from planar_cli.replay.equations import Equations
 
 

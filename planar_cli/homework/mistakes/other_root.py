@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from typing import ClassVar, final
 
 from planar_cli.homework.mistakes.base import Mistake, Model
-from planar_cli.problem.scene import Problem, TwoFacts
+from planar_cli.problem.scene.scene import Problem, TwoFacts
 from planar_cli.replay.equations import Equations
 from planar_cli.replay.two_places import with_other_place
 

@@ -9,11 +9,11 @@ from typing import ClassVar, final
 
 import sympy as sp
 
-from planar_cli.equation.parts_of_accelerations import AXIS, TANGENTIAL
+from planar_cli.equation.values.parts_of_accelerations import AXIS, TANGENTIAL
 from planar_cli.homework.mistakes.base import Mistake, Model, terms_without, with_changed
 from planar_cli.homework.mistakes.rotational_inertia_left_out import inertias
-from planar_cli.homework.printed_names import printed
-from planar_cli.problem.scene import Problem
+from planar_cli.homework.sets.printed_names import printed
+from planar_cli.problem.scene.scene import Problem
 from planar_cli.replay.equations import Equations, Step
 from planar_cli.units import ANGULAR_MOMENTUM, MASS, PURE, RATE_OF_RATE, Dimension
 

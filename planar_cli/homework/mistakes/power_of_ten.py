@@ -9,12 +9,12 @@ from typing import ClassVar, final
 import sympy as sp
 
 from planar_cli.base_units import factor_to_base, in_base
-from planar_cli.equation.parts_of_accelerations import is_mark
+from planar_cli.equation.values.parts_of_accelerations import is_mark
 from planar_cli.homework.mistakes.base import Mistake, Model, inputs_by_unit
-from planar_cli.homework.named_mistakes import LOOK, OFF_BY_TEN, POWER_OF_TEN, POWERS
-from planar_cli.homework.paper import Expected
-from planar_cli.homework.printed_names import printed
-from planar_cli.problem.scene import Problem
+from planar_cli.homework.sets.paper import Expected
+from planar_cli.homework.sets.powers_of_ten import LOOK, OFF_BY_TEN, POWER_OF_TEN, POWERS
+from planar_cli.homework.sets.printed_names import printed
+from planar_cli.problem.scene.scene import Problem
 from planar_cli.replay.equations import Equations
 from planar_cli.units import LENGTH, PURE, Unit, pretty_unit
 

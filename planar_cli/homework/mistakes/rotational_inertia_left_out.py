@@ -8,10 +8,10 @@ from typing import ClassVar, final
 
 import sympy as sp
 
-from planar_cli.equation.parts_of_accelerations import SPIN
+from planar_cli.equation.values.parts_of_accelerations import SPIN
 from planar_cli.homework.mistakes.base import Mistake, Model
-from planar_cli.homework.printed_names import printed
-from planar_cli.problem.scene import Problem
+from planar_cli.homework.sets.printed_names import printed
+from planar_cli.problem.scene.scene import Problem
 from planar_cli.replay.equations import Equations
 from planar_cli.units import INERTIA
 

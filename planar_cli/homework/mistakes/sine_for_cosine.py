@@ -11,8 +11,8 @@ import sympy as sp
 
 from planar_cli.homework.mistakes._one_equation import told
 from planar_cli.homework.mistakes.base import Mistake, Model, with_step_changed
-from planar_cli.homework.printed_names import printed
-from planar_cli.problem.scene import Problem
+from planar_cli.homework.sets.printed_names import printed
+from planar_cli.problem.scene.scene import Problem
 from planar_cli.replay.equations import Equations
 from planar_cli.units import PURE
 

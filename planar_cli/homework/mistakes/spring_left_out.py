@@ -8,8 +8,8 @@ from typing import ClassVar, final
 import sympy as sp
 
 from planar_cli.homework.mistakes.base import Mistake, Model, inputs_at, with_put_in
-from planar_cli.homework.printed_names import printed
-from planar_cli.problem.scene import Problem
+from planar_cli.homework.sets.printed_names import printed
+from planar_cli.problem.scene.scene import Problem
 from planar_cli.replay.equations import Equations
 
 

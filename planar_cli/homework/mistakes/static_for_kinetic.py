@@ -6,8 +6,8 @@ from collections.abc import Iterable
 from typing import ClassVar, final
 
 from planar_cli.homework.mistakes.base import Mistake, Model
-from planar_cli.problem.expression import Name
-from planar_cli.problem.scene import Problem
+from planar_cli.problem.language.expression import Name
+from planar_cli.problem.scene.scene import Problem
 from planar_cli.replay.equations import Equations
 
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import ClassVar, final
 
-from planar_cli.equation.parts_of_accelerations import TANGENTIAL
+from planar_cli.equation.values.parts_of_accelerations import TANGENTIAL
 from planar_cli.homework.mistakes.base import Mistake, Model, without_part
-from planar_cli.problem.scene import Problem
+from planar_cli.problem.scene.scene import Problem
 from planar_cli.replay.equations import Equations
 
 

@@ -8,7 +8,7 @@ from functools import lru_cache
 from typing import ClassVar, final
 
 from planar_cli.homework.mistakes.base import Mistake
-from planar_cli.homework.paper import Expected
+from planar_cli.homework.sets.paper import Expected
 from planar_cli.units import Unit, parse_unit
 
 PAIRS: tuple[tuple[str, str], ...] = (

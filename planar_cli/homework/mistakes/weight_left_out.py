@@ -18,9 +18,9 @@ from planar_cli.homework.mistakes.base import (
     with_changed,
     with_step_changed,
 )
-from planar_cli.homework.printed_names import printed
-from planar_cli.problem.expression import Name
-from planar_cli.problem.scene import Problem
+from planar_cli.homework.sets.printed_names import printed
+from planar_cli.problem.language.expression import Name
+from planar_cli.problem.scene.scene import Problem
 from planar_cli.replay.equations import Equations
 
 GRAVITY = "g"

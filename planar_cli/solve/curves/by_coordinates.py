@@ -10,11 +10,11 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.exact import Valuation
-from planar_cli.equation.expansion import expanded
-from planar_cli.equation.jets import Jet
-from planar_cli.equation.plain import simplified
-from planar_cli.problem.geometry import Vec
+from planar_cli.equation.algebra.expansion import expanded
+from planar_cli.equation.algebra.plain import simplified
+from planar_cli.equation.values.exact import Valuation
+from planar_cli.equation.values.jets import Jet
+from planar_cli.problem.scene.geometry import Vec
 from planar_cli.records import record
 from planar_cli.solve.regimes.functions import directed
 from planar_cli.solve.regimes.regime import Regime

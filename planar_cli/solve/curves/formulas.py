@@ -13,23 +13,23 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.equation.common_factors import factor_terms
-from planar_cli.equation.conditions import vector_or_jet
-from planar_cli.equation.exact import Valuation
-from planar_cli.equation.plain import longer, rounded_inside, simplified
-from planar_cli.equation.quantities import Quantities
-from planar_cli.equation.system import mode_of
+from planar_cli.equation.algebra.common_factors import factor_terms
+from planar_cli.equation.algebra.plain import longer, rounded_inside, simplified
+from planar_cli.equation.kinematics.quantities import Quantities
+from planar_cli.equation.system.conditions import vector_or_jet
+from planar_cli.equation.system.system import mode_of
+from planar_cli.equation.values.exact import Valuation
 from planar_cli.errors import Diagnostic, NoSolution, refuse
-from planar_cli.problem.dimensions import dimension_of
-from planar_cli.problem.expression import Name, Quantity, Relation, Side
-from planar_cli.problem.formulas import formulas
-from planar_cli.problem.geometry import Vec
-from planar_cli.problem.outermost import quantities_in
-from planar_cli.problem.scene import Find, Problem
-from planar_cli.problem.walk import walk
+from planar_cli.problem.checks.formulas import formulas
+from planar_cli.problem.language.dimensions import dimension_of
+from planar_cli.problem.language.expression import Name, Quantity, Relation, Side
+from planar_cli.problem.language.outermost import quantities_in
+from planar_cli.problem.language.walk import walk
+from planar_cli.problem.scene.geometry import Vec
+from planar_cli.problem.scene.scene import Find, Problem
 from planar_cli.records import changing
-from planar_cli.solve.between.agreement import balanced
-from planar_cli.solve.between.solved_motion import SolvedMotion
+from planar_cli.solve.between.branches.agreement import balanced
+from planar_cli.solve.between.branches.solved_motion import SolvedMotion
 from planar_cli.solve.curves.by_coordinates import by_coordinates
 from planar_cli.solve.curves.kinds_asked import letter_of, tells
 from planar_cli.solve.curves.kinematics import Story, no_value

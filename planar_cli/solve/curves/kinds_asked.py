@@ -6,9 +6,9 @@ from collections.abc import Collection, Iterable, Iterator
 
 import sympy as sp
 
-from planar_cli.problem.expression import Name, Quantity
-from planar_cli.problem.scene import GROUND, Find
-from planar_cli.problem.walk import walk
+from planar_cli.problem.language.expression import Name, Quantity
+from planar_cli.problem.language.walk import walk
+from planar_cli.problem.scene.scene import GROUND, Find
 from planar_cli.records import record
 from planar_cli.solve.curves.by_coordinates import DOTS
 

@@ -13,13 +13,13 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.equation.exact import Valuation
-from planar_cli.equation.factoring import factored
-from planar_cli.equation.jets import Jet, direction_angle, magnitude
-from planar_cli.equation.plain import simplified
-from planar_cli.equation.quantities import Quantities
-from planar_cli.problem.geometry import Vec
-from planar_cli.problem.scene import Find, Polar, TwoFacts
+from planar_cli.equation.algebra.factoring import factored
+from planar_cli.equation.algebra.plain import simplified
+from planar_cli.equation.kinematics.quantities import Quantities
+from planar_cli.equation.values.exact import Valuation
+from planar_cli.equation.values.jets import Jet, direction_angle, magnitude
+from planar_cli.problem.scene.geometry import Vec
+from planar_cli.problem.scene.scene import Find, Polar, TwoFacts
 from planar_cli.records import changing
 from planar_cli.solve.curves.by_coordinates import DOTS, ByCoordinates
 from planar_cli.solve.curves.kinds_asked import (

@@ -6,9 +6,9 @@ from collections.abc import Callable, Collection, Iterator
 
 import sympy as sp
 
-from planar_cli.equation.exact import Valuation
-from planar_cli.equation.plain import longer, simplified
-from planar_cli.problem.geometry import Vec
+from planar_cli.equation.algebra.plain import longer, simplified
+from planar_cli.equation.values.exact import Valuation
+from planar_cli.problem.scene.geometry import Vec
 from planar_cli.solve.curves.by_coordinates import DOTS
 from planar_cli.solve.passages import Row
 from planar_cli.units import LENGTH, TIME

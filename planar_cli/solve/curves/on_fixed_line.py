@@ -13,9 +13,9 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.jets import Jet
+from planar_cli.equation.values.jets import Jet
 from planar_cli.greek import GREEK
-from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scene.geometry import Vec
 from planar_cli.records import record
 from planar_cli.solve.passages import RADIAL, Passage, Row
 from planar_cli.units import LENGTH, TIME

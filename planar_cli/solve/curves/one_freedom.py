@@ -12,10 +12,10 @@ import sympy as sp
 
 from planar_cli.calculus.curve_words import CURVE, Curve
 from planar_cli.calculus.curves import curve_numeric
-from planar_cli.equation.displacement import Coordinate
-from planar_cli.equation.exact import Valuation
+from planar_cli.equation.scene.displacement import Coordinate
+from planar_cli.equation.values.exact import Valuation
 from planar_cli.errors import NoValue
-from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scene.geometry import Vec
 from planar_cli.records import record
 from planar_cli.solve.regimes.constraints import Constraint, drawn_starts, fixed_by, project
 from planar_cli.solve.regimes.regime import Regime

@@ -13,16 +13,16 @@ import sympy as sp
 
 from planar_cli.calculus.curve_words import CIRCLE, LINE, POINT, Curve
 from planar_cli.calculus.curves import curve_of
-from planar_cli.equation.exact import Valuation
-from planar_cli.equation.expansion import expanded
-from planar_cli.equation.ledger import Ledger
-from planar_cli.equation.plain import longer, simplified
+from planar_cli.equation.algebra.expansion import expanded
+from planar_cli.equation.algebra.plain import longer, simplified
+from planar_cli.equation.values.exact import Valuation
+from planar_cli.equation.values.ledger import Ledger
 from planar_cli.errors import refuse
-from planar_cli.problem.expression import Quantity
-from planar_cli.problem.geometry import Vec
-from planar_cli.problem.reading import listed
-from planar_cli.problem.scene import GROUND, Find, Rod, with_article
-from planar_cli.problem.shared_points import carried_together
+from planar_cli.problem.checks.shared_points import carried_together
+from planar_cli.problem.language.expression import Quantity
+from planar_cli.problem.nodes.reading import listed
+from planar_cli.problem.scene.geometry import Vec
+from planar_cli.problem.scene.scene import GROUND, Find, Rod, with_article
 from planar_cli.records import changing, record
 from planar_cli.solve.curves.one_freedom import driver_of, followed_curve, loops_of
 from planar_cli.solve.passages import CURVE, Passage, Row, sides_of, squared_radius, told_function

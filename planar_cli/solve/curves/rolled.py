@@ -6,11 +6,11 @@ from collections.abc import Collection, Iterator
 
 import sympy as sp
 
-from planar_cli.equation.plain import identically_zero, simplified
-from planar_cli.equation.quantities import Quantities
-from planar_cli.equation.scene import Scene
-from planar_cli.problem.geometry import Vec
-from planar_cli.problem.scene import Line, Polar, Round, with_article
+from planar_cli.equation.algebra.plain import identically_zero, simplified
+from planar_cli.equation.kinematics.quantities import Quantities
+from planar_cli.equation.scene.scene import Scene
+from planar_cli.problem.scene.geometry import Vec
+from planar_cli.problem.scene.scene import Line, Polar, Round, with_article
 from planar_cli.records import record
 
 SIDES = {

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import sympy as sp
 
-from planar_cli.equation.common_factors import together
-from planar_cli.equation.counting import operations
-from planar_cli.equation.expansion import expanded
-from planar_cli.equation.factoring import factored
-from planar_cli.equation.plain import longer, simplified
-from planar_cli.equation.scene import Scene
-from planar_cli.problem.expression import Quantity, Relation, Side
-from planar_cli.problem.scene import Polar, Problem
+from planar_cli.equation.algebra.common_factors import together
+from planar_cli.equation.algebra.counting import operations
+from planar_cli.equation.algebra.expansion import expanded
+from planar_cli.equation.algebra.factoring import factored
+from planar_cli.equation.algebra.plain import longer, simplified
+from planar_cli.equation.scene.scene import Scene
+from planar_cli.problem.language.expression import Quantity, Relation, Side
+from planar_cli.problem.scene.scene import Polar, Problem
 
 MOST_OPS = 60
 """Under a root of more operations no square is looked for in other angles."""

@@ -7,9 +7,9 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.scene import Scene
+from planar_cli.equation.scene.scene import Scene
 from planar_cli.errors import Diagnostic, Mark, NoSolution
-from planar_cli.problem.scene import Find, Outline
+from planar_cli.problem.scene.scene import Find, Outline
 from planar_cli.solve.diagnosis.words import listed
 from planar_cli.solve.solution import Found
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from planar_cli.equation.moving import open_direction
+from planar_cli.equation.kinematics.moving import open_direction
 from planar_cli.errors import undecided_at
-from planar_cli.problem.outermost import quantities_in
-from planar_cli.problem.scene import Find
+from planar_cli.problem.language.outermost import quantities_in
+from planar_cli.problem.scene.scene import Find
 from planar_cli.solve.instant.instant import Trial
 from planar_cli.solve.regimes.after import CONTINUOUS
 

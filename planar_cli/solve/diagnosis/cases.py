@@ -5,7 +5,7 @@ from __future__ import annotations
 from decimal import Decimal
 
 from planar_cli.errors import Diagnostic, Mark, NoSolution
-from planar_cli.problem.facts import Mode, Test
+from planar_cli.problem.scene.facts import Mode, Test
 from planar_cli.solve.diagnosis.words import in_unit, listed, push_name
 from planar_cli.solve.instant.instant import Instant, Trial
 from planar_cli.solve.solution import Found

@@ -7,17 +7,17 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.conditions import POSITION, gap, order, vector_or_jet
-from planar_cli.equation.exact import Unvalued, Valuation
-from planar_cli.equation.jets import Jet
-from planar_cli.equation.quantities import Quantities
-from planar_cli.equation.setup import Setup
+from planar_cli.equation.kinematics.quantities import Quantities
+from planar_cli.equation.system.conditions import POSITION, gap, order, vector_or_jet
+from planar_cli.equation.system.setup import Setup
+from planar_cli.equation.values.exact import Unvalued, Valuation
+from planar_cli.equation.values.jets import Jet
 from planar_cli.errors import NOWHERE, Diagnostic, Mark, NoSolution, NoValue, PlanarError
-from planar_cli.problem.expression import Relation
-from planar_cli.problem.geometry import Vec
-from planar_cli.problem.outermost import quantities_in
-from planar_cli.problem.polar import TOGETHER
-from planar_cli.problem.residuals import Residual
+from planar_cli.problem.language.expression import Relation
+from planar_cli.problem.language.outermost import quantities_in
+from planar_cli.problem.scene.geometry import Vec
+from planar_cli.problem.scene.polar import TOGETHER
+from planar_cli.problem.scene.residuals import Residual
 from planar_cli.solve.diagnosis.words import false_words, in_unit, left_of, listed, unit_of
 from planar_cli.solve.instant.asked import names_anywhere
 from planar_cli.solve.instant.inequalities import holds

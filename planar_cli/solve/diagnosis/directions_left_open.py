@@ -7,10 +7,10 @@ from collections.abc import Sequence
 import sympy as sp
 
 from planar_cli.errors import FileProblem, refuse
-from planar_cli.problem.expression import Quantity
-from planar_cli.problem.walk import walk
-from planar_cli.solve.between.chain import Branch
-from planar_cli.solve.between.motion_equations import MotionEquations
+from planar_cli.problem.language.expression import Quantity
+from planar_cli.problem.language.walk import walk
+from planar_cli.solve.between.equations.motion_equations import MotionEquations
+from planar_cli.solve.between.roots.chain import Branch
 from planar_cli.solve.diagnosis.motions import title_of
 from planar_cli.solve.diagnosis.words import listed
 from planar_cli.solve.instant.unreached import not_reached

@@ -8,11 +8,11 @@ from __future__ import annotations
 
 from decimal import Decimal
 
-from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.equation.values.exact import Unvalued, Valuation
 from planar_cli.errors import Diagnostic, NoValue
-from planar_cli.problem.expression import Quantity, Relation
-from planar_cli.problem.walk import walk
-from planar_cli.solve.between.motion_equations import MotionEquations
+from planar_cli.problem.language.expression import Quantity, Relation
+from planar_cli.problem.language.walk import walk
+from planar_cli.solve.between.equations.motion_equations import MotionEquations
 from planar_cli.solve.diagnosis.words import in_unit, unit_of
 
 JUMPS = Decimal("1e-6")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from planar_cli.errors import Diagnostic, Mark, NoSolution
-from planar_cli.problem.scene import Find
+from planar_cli.problem.scene.scene import Find
 from planar_cli.solve.diagnosis.cases import no_case
 from planar_cli.solve.diagnosis.clash import BLAMED, clash
 from planar_cli.solve.diagnosis.open_data import at_change_point, at_dead_centre, open_velocities

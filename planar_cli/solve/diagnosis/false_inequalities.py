@@ -6,11 +6,11 @@ from collections.abc import Sequence
 from dataclasses import replace
 from decimal import Decimal
 
-from planar_cli.equation.exact import Unvalued
+from planar_cli.equation.values.exact import Unvalued
 from planar_cli.errors import Diagnostic, NoSolution, NoValue, Undecided
-from planar_cli.motion.drives import of_forces
-from planar_cli.problem.expression import Relation
-from planar_cli.solve.between.motion_equations import MotionEquations
+from planar_cli.motion.scene.drives import of_forces
+from planar_cli.problem.language.expression import Relation
+from planar_cli.solve.between.equations.motion_equations import MotionEquations
 from planar_cli.solve.diagnosis.words import in_unit, unit_of
 from planar_cli.solve.regimes.equations import Equation
 from planar_cli.solve.regimes.timeline import Demand

@@ -5,8 +5,8 @@ nothing strikes, or what should push bodies apart is an impact, which only answe
 from __future__ import annotations
 
 from planar_cli.errors import Diagnostic, NoSolution
-from planar_cli.problem.expression import JustAfter
-from planar_cli.problem.scene import Problem
+from planar_cli.problem.language.expression import JustAfter
+from planar_cli.problem.scene.scene import Problem
 
 LEAVE_OUT = "leave one of them out, or declare what they hold under `unknowns`"
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from planar_cli.errors import FileProblem, refuse
-from planar_cli.problem.scene import Problem
+from planar_cli.problem.scene.scene import Problem
 
 
 def unnamed_impact(problem: Problem) -> FileProblem:

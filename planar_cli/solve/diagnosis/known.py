@@ -7,15 +7,15 @@ from dataclasses import replace
 
 import sympy as sp
 
-from planar_cli.equation.jets import Jet, constant
-from planar_cli.equation.setup import Earlier, Setup, first_unit
-from planar_cli.equation.system import Statements
+from planar_cli.equation.system.setup import Earlier, Setup, first_unit
+from planar_cli.equation.system.system import Statements
+from planar_cli.equation.values.jets import Jet, constant
 from planar_cli.errors import Diagnostic, NoSolution
-from planar_cli.problem.dimensions import dimension_of
-from planar_cli.problem.expression import Name, Quantity, Relation
-from planar_cli.problem.scene import Problem
-from planar_cli.problem.unused import coordinates_behind, names_of, only_names
-from planar_cli.problem.walk import walk
+from planar_cli.problem.checks.unused import coordinates_behind, names_of, only_names
+from planar_cli.problem.language.dimensions import dimension_of
+from planar_cli.problem.language.expression import Name, Quantity, Relation
+from planar_cli.problem.language.walk import walk
+from planar_cli.problem.scene.scene import Problem
 from planar_cli.solve.diagnosis.lengths import demand_lengths
 from planar_cli.solve.diagnosis.stretched import demand_rigid
 from planar_cli.solve.diagnosis.words import in_unit

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from planar_cli.errors import NoSolution
-from planar_cli.solve.between.chain import Branch
-from planar_cli.solve.between.motion_equations import MotionEquations
+from planar_cli.solve.between.equations.motion_equations import MotionEquations
+from planar_cli.solve.between.roots.chain import Branch
 from planar_cli.solve.diagnosis.motions import clash, missing
 from planar_cli.solve.diagnosis.undated import undated
 

@@ -8,8 +8,8 @@ from planar_cli.errors import Diagnostic, NoSolution
 from planar_cli.joints.base import Joint, distinct
 
 if TYPE_CHECKING:
-    from planar_cli.motion.trajectory import Outcome
-    from planar_cli.problem.scene import Problem
+    from planar_cli.motion.trajectory.trajectory import Outcome
+    from planar_cli.problem.scene.scene import Problem
 
 CODES = ("PL539", "PL714", "PL715", "PL717", "PL718")
 """With which a motion ends that is not told on."""

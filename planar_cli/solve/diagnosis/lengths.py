@@ -8,15 +8,15 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.equation.scene import Scene
-from planar_cli.equation.setup import Earlier, Setup, first_unit
-from planar_cli.equation.system import Statements
+from planar_cli.equation.scene.scene import Scene
+from planar_cli.equation.system.setup import Earlier, Setup, first_unit
+from planar_cli.equation.system.system import Statements
 from planar_cli.errors import Diagnostic, Mark, NoSolution
-from planar_cli.problem.expression import Name, Side
-from planar_cli.problem.keys import RopeStop
-from planar_cli.problem.scene import Body, Problem, Rod, Round
-from planar_cli.problem.scope import members_of
-from planar_cli.problem.walk import walk
+from planar_cli.problem.checks.scope import members_of
+from planar_cli.problem.language.expression import Name, Side
+from planar_cli.problem.language.walk import walk
+from planar_cli.problem.scene.keys import RopeStop
+from planar_cli.problem.scene.scene import Body, Problem, Rod, Round
 from planar_cli.solve.diagnosis.tangents import ROUNDED, untaut
 from planar_cli.solve.diagnosis.words import in_unit
 from planar_cli.units import LENGTH, default_unit, parse_unit

@@ -7,8 +7,8 @@ from __future__ import annotations
 from collections.abc import Collection
 
 from planar_cli.errors import Diagnostic, Mark, NoSolution
-from planar_cli.problem.expression import Extreme, Name
-from planar_cli.problem.scene import State
+from planar_cli.problem.language.expression import Extreme, Name
+from planar_cli.problem.scene.scene import State
 
 OPEN = "PL623"
 LIMIT = (

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 
-from planar_cli.problem.expression import Number, Quantity, Relation
-from planar_cli.problem.scene import Particle, Problem, Round
-from planar_cli.problem.walk import walk
+from planar_cli.problem.language.expression import Number, Quantity, Relation
+from planar_cli.problem.language.walk import walk
+from planar_cli.problem.scene.scene import Particle, Problem, Round
 from planar_cli.solve.instant.instant import Instant
 
 

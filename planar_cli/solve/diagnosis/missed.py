@@ -7,16 +7,16 @@ from collections.abc import Callable, Iterator, Sequence
 from decimal import Decimal
 from itertools import islice
 
-from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.equation.values.exact import Unvalued, Valuation
 from planar_cli.errors import NotReached, NoValue
-from planar_cli.problem.expression import Relation
-from planar_cli.problem.parser import parse_side
-from planar_cli.problem.scene import Problem
+from planar_cli.problem.language.expression import Relation
+from planar_cli.problem.language.parser import parse_side
+from planar_cli.problem.scene.scene import Problem
 from planar_cli.simulate.measures import START
 from planar_cli.simulate.run import Run
-from planar_cli.solve.between.events import FollowedSegment, events, is_zero, scale_of
-from planar_cli.solve.between.followed import Followed
-from planar_cli.solve.between.motion_equations import MotionEquations
+from planar_cli.solve.between.equations.motion_equations import MotionEquations
+from planar_cli.solve.between.roots.events import FollowedSegment, events, is_zero, scale_of
+from planar_cli.solve.between.roots.followed import Followed
 from planar_cli.solve.diagnosis.words import has_magnitude, in_unit, unit_of
 from planar_cli.solve.following.ends import is_put_in
 from planar_cli.solve.following.follower import Follower

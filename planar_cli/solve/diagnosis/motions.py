@@ -11,19 +11,19 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.exact import Unvalued, Valuation
-from planar_cli.equation.plain import derivative
-from planar_cli.equation.sample import anywhere
-from planar_cli.equation.scales import slack_of
+from planar_cli.equation.algebra.plain import derivative
+from planar_cli.equation.values.exact import Unvalued, Valuation
+from planar_cli.equation.values.sample import anywhere
+from planar_cli.equation.values.scales import slack_of
 from planar_cli.errors import NOWHERE, Diagnostic, Mark, NoSolution, NoValue, Undecided
-from planar_cli.problem.expression import Relation
-from planar_cli.problem.scene import Problem
-from planar_cli.solve.between.asked_finds import AskedFind, asked_letters
-from planar_cli.solve.between.balances import StateBalance
-from planar_cli.solve.between.followed import Followed
-from planar_cli.solve.between.motion_equations import MotionEquations
-from planar_cli.solve.between.reached import asked_about
-from planar_cli.solve.between.stated_motion import StatedMotion
+from planar_cli.problem.language.expression import Relation
+from planar_cli.problem.scene.scene import Problem
+from planar_cli.solve.between.branches.reached import asked_about
+from planar_cli.solve.between.equations.asked_finds import AskedFind, asked_letters
+from planar_cli.solve.between.equations.balances import StateBalance
+from planar_cli.solve.between.equations.motion_equations import MotionEquations
+from planar_cli.solve.between.equations.stated_motion import StatedMotion
+from planar_cli.solve.between.roots.followed import Followed
 from planar_cli.solve.diagnosis.failures import explain_failure, singular_position
 from planar_cli.solve.diagnosis.false_inequalities import false_inequality, without_inequalities
 from planar_cli.solve.diagnosis.held_in_blows import what_to_write

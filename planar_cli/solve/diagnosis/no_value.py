@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from planar_cli.errors import NotReached, Undecided, undecided_at
-from planar_cli.problem.scene import Problem
+from planar_cli.problem.scene.scene import Problem
 
 COORDINATES = (
     "it may help to write places with `coordinates` that follow the motion (r and phi of an orbit), to give a rope "

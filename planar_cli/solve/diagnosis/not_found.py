@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import sympy as sp
 
-from planar_cli.equation.conditions import Condition
-from planar_cli.equation.exact import Unvalued
-from planar_cli.equation.form import Nonlinear, linear_form
-from planar_cli.equation.kinetics import body_residuals
+from planar_cli.equation.algebra.form import Nonlinear, linear_form
+from planar_cli.equation.system.conditions import Condition
+from planar_cli.equation.system.kinetics import body_residuals
+from planar_cli.equation.values.exact import Unvalued
 from planar_cli.errors import Diagnostic, NoValue
-from planar_cli.problem.expression import Extreme, Quantity
+from planar_cli.problem.language.expression import Extreme, Quantity
 from planar_cli.solve.diagnosis.meant import otherwise_meant
 from planar_cli.solve.diagnosis.open_data import demand
 from planar_cli.solve.diagnosis.words import in_general, listed, of_limits, one_of, unknown_name

@@ -9,14 +9,14 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.equation.conditions import vector_or_jet
-from planar_cli.equation.exact import ZERO, Unvalued, Valuation
-from planar_cli.equation.motion import Edge
+from planar_cli.equation.kinematics.motion import Edge
+from planar_cli.equation.system.conditions import vector_or_jet
+from planar_cli.equation.values.exact import ZERO, Unvalued, Valuation
 from planar_cli.errors import Diagnostic, Mark, NoSolution, NoValue
-from planar_cli.problem.expression import Quantity, Relation
-from planar_cli.problem.facts import Push
-from planar_cli.problem.geometry import Vec
-from planar_cli.problem.scene import GROUND, Find
+from planar_cli.problem.language.expression import Quantity, Relation
+from planar_cli.problem.scene.facts import Push
+from planar_cli.problem.scene.geometry import Vec
+from planar_cli.problem.scene.scene import GROUND, Find
 from planar_cli.solve.diagnosis.singular import ChangePoint, blocked, change_point, dead_centre
 from planar_cli.solve.diagnosis.words import (
     in_general,

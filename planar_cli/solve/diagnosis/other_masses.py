@@ -9,8 +9,8 @@ from dataclasses import replace
 from fractions import Fraction
 
 from planar_cli.errors import Diagnostic, NoSolution
-from planar_cli.problem.expression import Number
-from planar_cli.problem.scene import Body, Problem
+from planar_cli.problem.language.expression import Number
+from planar_cli.problem.scene.scene import Body, Problem
 from planar_cli.simulate.answers import Answered
 from planar_cli.simulate.run import Simulation
 

@@ -7,9 +7,9 @@ from collections.abc import Iterable, Sequence
 import sympy as sp
 
 from planar_cli.errors import Diagnostic, NoSolution
-from planar_cli.problem.expression import Function, Relation
-from planar_cli.problem.scene import Problem
-from planar_cli.problem.walk import walk
+from planar_cli.problem.language.expression import Function, Relation
+from planar_cli.problem.language.walk import walk
+from planar_cli.problem.scene.scene import Problem
 from planar_cli.solve.diagnosis.clash import clash, parts_of, sources
 from planar_cli.solve.diagnosis.words import listed
 from planar_cli.solve.instant.asked import names_anywhere

@@ -14,12 +14,12 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.conditions import ACCELERATION, VELOCITY, Condition, joint_conditions, stated
-from planar_cli.equation.exact import CERTAIN, ONE, ZERO, Unvalued, Valuation
-from planar_cli.equation.form import Nonlinear, linear_form
-from planar_cli.equation.motion import Tree
-from planar_cli.equation.system import System
-from planar_cli.problem.expression import Relation
+from planar_cli.equation.algebra.form import Nonlinear, linear_form
+from planar_cli.equation.kinematics.motion import Tree
+from planar_cli.equation.system.conditions import ACCELERATION, VELOCITY, Condition, joint_conditions, stated
+from planar_cli.equation.system.system import System
+from planar_cli.equation.values.exact import CERTAIN, ONE, ZERO, Unvalued, Valuation
+from planar_cli.problem.language.expression import Relation
 from planar_cli.records import record
 from planar_cli.solve.instant.instant import Instant
 from planar_cli.solve.instant.study import certain, number_row

@@ -9,14 +9,14 @@ from itertools import combinations
 
 import sympy as sp
 
-from planar_cli.equation.plain import derivative
-from planar_cli.equation.scene import Scene
-from planar_cli.equation.setup import Earlier, Setup
-from planar_cli.equation.system import Statements
+from planar_cli.equation.algebra.plain import derivative
+from planar_cli.equation.scene.scene import Scene
+from planar_cli.equation.system.setup import Earlier, Setup
+from planar_cli.equation.system.system import Statements
 from planar_cli.errors import Diagnostic, NoSolution
-from planar_cli.problem.scene import Body, Polar, Problem
-from planar_cli.problem.shapes import own_points
-from planar_cli.problem.unused import coordinates_behind
+from planar_cli.problem.checks.unused import coordinates_behind
+from planar_cli.problem.scene.scene import Body, Polar, Problem
+from planar_cli.problem.scene.shapes import own_points
 
 Pair = tuple[Body, str, str, str]
 """A body, two of its points, and the one coordinate with which these are written."""

@@ -7,12 +7,12 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.scene import Scene
+from planar_cli.equation.scene.scene import Scene
 from planar_cli.errors import Diagnostic
-from planar_cli.problem.expression import Name, Quantity
-from planar_cli.problem.geometry import Vec
-from planar_cli.problem.scene import Round
-from planar_cli.problem.walk import walk
+from planar_cli.problem.language.expression import Name, Quantity
+from planar_cli.problem.language.walk import walk
+from planar_cli.problem.scene.geometry import Vec
+from planar_cli.problem.scene.scene import Round
 
 ROUNDED = Decimal("5e-4")
 """Places are drawn with some four digits: a length may differ from their distance by this part."""

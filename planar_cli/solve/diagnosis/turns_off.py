@@ -6,8 +6,8 @@ from collections.abc import Iterable
 
 import sympy as sp
 
-from planar_cli.equation.exact import PI
-from planar_cli.solve.between.motion_equations import MotionEquations
+from planar_cli.equation.values.exact import PI
+from planar_cli.solve.between.equations.motion_equations import MotionEquations
 from planar_cli.solve.regimes.equations import Equation
 
 CLOSE = 1e-6

@@ -5,11 +5,11 @@ from __future__ import annotations
 import sympy as sp
 
 from planar_cli.errors import Diagnostic, NoSolution
-from planar_cli.solve.between.asked_finds import AskedFind
-from planar_cli.solve.between.followed import Followed
-from planar_cli.solve.between.motion_equations import MotionEquations
-from planar_cli.solve.between.span_quantities import SpanQuantity
-from planar_cli.solve.between.stated_motion import StatedMotion
+from planar_cli.solve.between.equations.asked_finds import AskedFind
+from planar_cli.solve.between.equations.motion_equations import MotionEquations
+from planar_cli.solve.between.equations.span_quantities import SpanQuantity
+from planar_cli.solve.between.equations.stated_motion import StatedMotion
+from planar_cli.solve.between.roots.followed import Followed
 from planar_cli.solve.regimes.equations import Equation
 from planar_cli.solve.regimes.regime import number_function
 

@@ -6,10 +6,10 @@ from collections.abc import Sequence
 from decimal import Decimal
 
 from planar_cli.errors import Diagnostic, NoSolution
-from planar_cli.problem.expression import Quantity, Relation
-from planar_cli.problem.walk import walk
-from planar_cli.solve.between.chain import Branch
-from planar_cli.solve.between.motion_equations import MotionEquations
+from planar_cli.problem.language.expression import Quantity, Relation
+from planar_cli.problem.language.walk import walk
+from planar_cli.solve.between.equations.motion_equations import MotionEquations
+from planar_cli.solve.between.roots.chain import Branch
 from planar_cli.solve.regimes.mode_sequence import fixed_time
 
 TINY = Decimal("1e-15")

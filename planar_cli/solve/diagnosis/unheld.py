@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from planar_cli.equation.system import System
+from planar_cli.equation.system.system import System
 from planar_cli.errors import Diagnostic
-from planar_cli.problem.check_names import points_of_place
-from planar_cli.problem.scene import Problem
-from planar_cli.problem.shapes import own_points
+from planar_cli.problem.checks.check_names import points_of_place
+from planar_cli.problem.scene.scene import Problem
+from planar_cli.problem.scene.shapes import own_points
 
 
 def unheld(system: System, points: Iterable[str]) -> Diagnostic | None:

@@ -6,13 +6,13 @@ from collections.abc import Iterable, Sequence
 
 import sympy as sp
 
-from planar_cli.equation.exact import Sample, Valuation
-from planar_cli.equation.plain import longer
+from planar_cli.equation.algebra.plain import longer
+from planar_cli.equation.values.exact import Sample, Valuation
 from planar_cli.errors import Undecided
-from planar_cli.problem.scene import Find
-from planar_cli.solve.between.independence import rests_on
-from planar_cli.solve.between.span_trace import SpanIntegral
-from planar_cli.solve.between.stated_motion import StatedMotion
+from planar_cli.problem.scene.scene import Find
+from planar_cli.solve.between.equations.stated_motion import StatedMotion
+from planar_cli.solve.between.told.independence import rests_on
+from planar_cli.solve.between.trace.span_trace import SpanIntegral
 from planar_cli.solve.regimes.regime import Regime
 
 READABLE = 40

@@ -7,17 +7,17 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.exact import ZERO
-from planar_cli.equation.ledger import display
-from planar_cli.equation.motion import Edge
-from planar_cli.equation.setup import first_unit
-from planar_cli.equation.system import System
-from planar_cli.problem import reading
-from planar_cli.problem.dimensions import dimension_of
-from planar_cli.problem.expression import Name, Number, Quantity, Relation, Side
-from planar_cli.problem.facts import Push
-from planar_cli.problem.scene import GROUND, Problem
-from planar_cli.problem.walk import walk
+from planar_cli.equation.kinematics.motion import Edge
+from planar_cli.equation.system.setup import first_unit
+from planar_cli.equation.system.system import System
+from planar_cli.equation.values.exact import ZERO
+from planar_cli.equation.values.ledger import display
+from planar_cli.problem.language.dimensions import dimension_of
+from planar_cli.problem.language.expression import Name, Number, Quantity, Relation, Side
+from planar_cli.problem.language.walk import walk
+from planar_cli.problem.nodes import reading
+from planar_cli.problem.scene.facts import Push
+from planar_cli.problem.scene.scene import GROUND, Problem
 from planar_cli.solve.instant.instant import Instant
 from planar_cli.units import Unit, parse_unit
 

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from planar_cli.equation.exact import Valuation
-from planar_cli.solve.between.chain import Branch
-from planar_cli.solve.between.followed import Followed
-from planar_cli.solve.between.matching import same_motion
-from planar_cli.solve.between.motion_equations import MotionEquations
+from planar_cli.equation.values.exact import Valuation
+from planar_cli.solve.between.branches.matching import same_motion
+from planar_cli.solve.between.equations.motion_equations import MotionEquations
+from planar_cli.solve.between.roots.chain import Branch
+from planar_cli.solve.between.roots.followed import Followed
 from planar_cli.solve.following.dated import is_told_by_a_span
 from planar_cli.solve.following.follower import Follower
 

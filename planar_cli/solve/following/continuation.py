@@ -11,12 +11,12 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.exact import Valuation
-from planar_cli.equation.plain import derivative
+from planar_cli.equation.algebra.plain import derivative
+from planar_cli.equation.values.exact import Valuation
 from planar_cli.errors import Diagnostic, NoSolution
 from planar_cli.records import record
-from planar_cli.solve.between.chain import Branch
-from planar_cli.solve.between.motion_equations import MotionEquations
+from planar_cli.solve.between.equations.motion_equations import MotionEquations
+from planar_cli.solve.between.roots.chain import Branch
 from planar_cli.solve.multibody.linear import solve
 from planar_cli.solve.regimes.regime_sequence import RegimeSequence
 

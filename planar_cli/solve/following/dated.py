@@ -8,10 +8,10 @@ from collections.abc import Mapping
 from dataclasses import replace
 from fractions import Fraction
 
-from planar_cli.problem.expression import JustAfter, Name, Number, Quantity, Relation
-from planar_cli.problem.scene import Problem, State
-from planar_cli.problem.scope import members_of
-from planar_cli.problem.walk import is_endless, walk
+from planar_cli.problem.checks.scope import members_of
+from planar_cli.problem.language.expression import JustAfter, Name, Number, Quantity, Relation
+from planar_cli.problem.language.walk import is_endless, walk
+from planar_cli.problem.scene.scene import Problem, State
 from planar_cli.simulate.foretold import spoken_before
 from planar_cli.solve.regimes.mode_sequence import fixed_time
 

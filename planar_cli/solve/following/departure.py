@@ -12,12 +12,12 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.displacement import Coordinate
-from planar_cli.equation.exact import Valuation
-from planar_cli.equation.plain import derivative
+from planar_cli.equation.algebra.plain import derivative
+from planar_cli.equation.scene.displacement import Coordinate
+from planar_cli.equation.values.exact import Valuation
 from planar_cli.records import record
-from planar_cli.solve.between.events import length_of
-from planar_cli.solve.between.stated_motion import StatedMotion
+from planar_cli.solve.between.equations.stated_motion import StatedMotion
+from planar_cli.solve.between.roots.events import length_of
 from planar_cli.solve.following.stillness import resting
 from planar_cli.solve.regimes.regime import Regime
 

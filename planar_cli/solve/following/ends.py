@@ -8,12 +8,12 @@ from dataclasses import replace
 
 import sympy as sp
 
-from planar_cli.equation.exact import Valuation
-from planar_cli.equation.scales import Sizes, measured
+from planar_cli.equation.values.exact import Valuation
+from planar_cli.equation.values.scales import Sizes, measured
 from planar_cli.records import changing
-from planar_cli.solve.between.events import FollowedSegment
-from planar_cli.solve.between.followed import Ends
-from planar_cli.solve.between.stated_motion import StatedMotion
+from planar_cli.solve.between.equations.stated_motion import StatedMotion
+from planar_cli.solve.between.roots.events import FollowedSegment
+from planar_cli.solve.between.roots.followed import Ends
 from planar_cli.solve.following.traced import SOON, Traced
 from planar_cli.solve.regimes.kept_radius import with_kept_radius
 from planar_cli.solve.regimes.mode_dates import is_dated_by_mode

@@ -13,16 +13,16 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.exact import Valuation
-from planar_cli.equation.scales import Here, Sizes, measured
+from planar_cli.equation.values.exact import Valuation
+from planar_cli.equation.values.scales import Here, Sizes, measured
 from planar_cli.errors import NoValue
-from planar_cli.problem.scene import Problem
-from planar_cli.solve.between.apart import TOUCHES, demand_together
-from planar_cli.solve.between.events import LOOKS, FollowedSegment, State, length_of
-from planar_cli.solve.between.followed import Followed
-from planar_cli.solve.between.given_times import asked_without_end, without_end
-from planar_cli.solve.between.motion_equations import MotionEquations
-from planar_cli.solve.between.stated_motion import StatedMotion
+from planar_cli.problem.scene.scene import Problem
+from planar_cli.solve.between.branches.apart import TOUCHES, demand_together
+from planar_cli.solve.between.equations.given_times import asked_without_end, without_end
+from planar_cli.solve.between.equations.motion_equations import MotionEquations
+from planar_cli.solve.between.equations.stated_motion import StatedMotion
+from planar_cli.solve.between.roots.events import LOOKS, FollowedSegment, State, length_of
+from planar_cli.solve.between.roots.followed import Followed
 from planar_cli.solve.diagnosis.left_open import demand_told, spent
 from planar_cli.solve.following.ends import TOGETHER, EndSearch, is_put_in
 from planar_cli.solve.following.letters import Letters

@@ -10,9 +10,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
-from planar_cli.equation.sample import further_draws, other_draws, seeded
-from planar_cli.equation.setup import numbers_of
-from planar_cli.problem.scene import Problem
+from planar_cli.equation.system.setup import numbers_of
+from planar_cli.equation.values.sample import further_draws, other_draws, seeded
+from planar_cli.problem.scene.scene import Problem
 from planar_cli.solve.following.traced import Traced, as_told
 from planar_cli.solve.regimes.mode_sequence import ModeSequence, Stretch, Workshop, spans_of
 

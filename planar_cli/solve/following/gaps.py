@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import sympy as sp
 
-from planar_cli.problem.facts import Mode
-from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scene.facts import Mode
+from planar_cli.problem.scene.geometry import Vec
 from planar_cli.solve.regimes.equations import Equation
 from planar_cli.solve.regimes.mode_sequence import ModeSequence, Workshop
 from planar_cli.solve.regimes.regime_sequence import RegimeSequence

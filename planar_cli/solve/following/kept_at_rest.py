@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from planar_cli.solve.between.asked_finds import asks_rates_throughout
-from planar_cli.solve.between.motion_equations import MotionEquations
-from planar_cli.solve.between.solved_motion import SolvedMotion
+from planar_cli.solve.between.branches.solved_motion import SolvedMotion
+from planar_cli.solve.between.equations.asked_finds import asks_rates_throughout
+from planar_cli.solve.between.equations.motion_equations import MotionEquations
 from planar_cli.solve.following.departure import DEPARTS
 
 STAYS = "it begins at rest in equilibrium, where every acceleration vanishes: nothing moves"

@@ -12,17 +12,17 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.exact import Unvalued
-from planar_cli.equation.plain import by_name
+from planar_cli.equation.algebra.plain import by_name
+from planar_cli.equation.values.exact import Unvalued
 from planar_cli.errors import NoValue
 from planar_cli.records import record
-from planar_cli.solve.between.branch_order import ranked
-from planar_cli.solve.between.chain import Branch
-from planar_cli.solve.between.followed import Followed
-from planar_cli.solve.between.motion_equations import MotionEquations
-from planar_cli.solve.between.needed_times import ONLY_TIMES
-from planar_cli.solve.between.newton import refined_left
-from planar_cli.solve.between.stated_motion import StatedMotion
+from planar_cli.solve.between.branches.branch_order import ranked
+from planar_cli.solve.between.equations.motion_equations import MotionEquations
+from planar_cli.solve.between.equations.needed_times import ONLY_TIMES
+from planar_cli.solve.between.equations.newton import refined_left
+from planar_cli.solve.between.equations.stated_motion import StatedMotion
+from planar_cli.solve.between.roots.chain import Branch
+from planar_cli.solve.between.roots.followed import Followed
 from planar_cli.solve.following.follower import Follower
 from planar_cli.solve.following.starts import told_start
 from planar_cli.solve.regimes.equations import Equation

@@ -9,16 +9,16 @@ from functools import cached_property
 
 import sympy as sp
 
-from planar_cli.equation.exact import Valuation
-from planar_cli.equation.motion import Edge
-from planar_cli.equation.plain import derivative
+from planar_cli.equation.algebra.plain import derivative
+from planar_cli.equation.kinematics.motion import Edge
+from planar_cli.equation.values.exact import Valuation
 from planar_cli.errors import NoValue
-from planar_cli.motion.dense import in_the_mean
-from planar_cli.motion.layout import Frame
-from planar_cli.motion.model import Model
-from planar_cli.problem.facts import Joining
-from planar_cli.problem.scene import GROUND
-from planar_cli.solve.between.events import State
+from planar_cli.motion.regime.model import Model
+from planar_cli.motion.terms.dense import in_the_mean
+from planar_cli.motion.terms.layout import Frame
+from planar_cli.problem.scene.facts import Joining
+from planar_cli.problem.scene.scene import GROUND
+from planar_cli.solve.between.roots.events import State
 from planar_cli.solve.regimes.regime import Regime, number_function
 from planar_cli.solve.regimes.speed_transfer import edges_of
 

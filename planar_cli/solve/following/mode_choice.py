@@ -9,13 +9,13 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.exact import Valuation
-from planar_cli.equation.plain import derivative, letters
+from planar_cli.equation.algebra.plain import derivative, letters
+from planar_cli.equation.values.exact import Valuation
 from planar_cli.errors import Diagnostic, NoSolution, Undecided, undecided_at
-from planar_cli.problem.scene import Problem
+from planar_cli.problem.scene.scene import Problem
 from planar_cli.records import changing
-from planar_cli.solve.between.departed import apart
-from planar_cli.solve.between.stated_motion import StatedMotion
+from planar_cli.solve.between.branches.departed import apart
+from planar_cli.solve.between.equations.stated_motion import StatedMotion
 from planar_cli.solve.diagnosis.motions import as_drawn
 from planar_cli.solve.following.gaps import changes_sides
 from planar_cli.solve.regimes.mode_sequence import ModeSequence, Workshop, nearest

@@ -12,23 +12,23 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.equation.values.exact import Unvalued, Valuation
 from planar_cli.errors import Diagnostic, NoSolution, NoValue, Undecided, undecided_at
 from planar_cli.records import changing
-from planar_cli.solve.between.alternatives import one_of
-from planar_cli.solve.between.asked_finds import AskedFind, asked_finds, asked_letters
-from planar_cli.solve.between.branch_order import candidates
-from planar_cli.solve.between.chain import Branch
-from planar_cli.solve.between.departed import without_departed
-from planar_cli.solve.between.followed import Followed
-from planar_cli.solve.between.masses import demand_mass
-from planar_cli.solve.between.matching import onward, same_motion
-from planar_cli.solve.between.methods import by_method
-from planar_cli.solve.between.motion_equations import MotionEquations, all_equations, first_equations
-from planar_cli.solve.between.needed_times import without_unneeded_times
-from planar_cli.solve.between.reached import asked_about
-from planar_cli.solve.between.solved_motion import SolvedMotion, ended, sooner
-from planar_cli.solve.between.stated_motion import StatedMotion, stated_motion
+from planar_cli.solve.between.branches.alternatives import one_of
+from planar_cli.solve.between.branches.branch_order import candidates
+from planar_cli.solve.between.branches.departed import without_departed
+from planar_cli.solve.between.branches.matching import onward, same_motion
+from planar_cli.solve.between.branches.reached import asked_about
+from planar_cli.solve.between.branches.solved_motion import SolvedMotion, ended, sooner
+from planar_cli.solve.between.equations.asked_finds import AskedFind, asked_finds, asked_letters
+from planar_cli.solve.between.equations.masses import demand_mass
+from planar_cli.solve.between.equations.methods import by_method
+from planar_cli.solve.between.equations.motion_equations import MotionEquations, all_equations, first_equations
+from planar_cli.solve.between.equations.needed_times import without_unneeded_times
+from planar_cli.solve.between.equations.stated_motion import StatedMotion, stated_motion
+from planar_cli.solve.between.roots.chain import Branch
+from planar_cli.solve.between.roots.followed import Followed
 from planar_cli.solve.diagnosis.directions_left_open import that_tell
 from planar_cli.solve.diagnosis.held_in_blows import no_motion
 from planar_cli.solve.diagnosis.lacking import lacking

@@ -12,12 +12,12 @@ from decimal import Decimal
 import sympy as sp
 
 from planar_cli.calculus.first import roots
-from planar_cli.equation.exact import Unvalued, Valuation
-from planar_cli.equation.plain import derivative
+from planar_cli.equation.algebra.plain import derivative
+from planar_cli.equation.values.exact import Unvalued, Valuation
 from planar_cli.errors import NoValue, Undecided
-from planar_cli.solve.between.events import FollowedSegment, State, scale_of
-from planar_cli.solve.between.exact_segments import explicit
-from planar_cli.solve.between.motion_equations import MotionEquations
+from planar_cli.solve.between.branches.exact_segments import explicit
+from planar_cli.solve.between.equations.motion_equations import MotionEquations
+from planar_cli.solve.between.roots.events import FollowedSegment, State, scale_of
 from planar_cli.solve.following.starts import certain_start
 from planar_cli.solve.instant.roots import real_roots
 from planar_cli.solve.regimes.timeline import Stop

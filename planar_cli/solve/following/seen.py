@@ -8,8 +8,8 @@ from decimal import Decimal
 import sympy as sp
 
 from planar_cli.records import changing
-from planar_cli.solve.between.chain import Branch
-from planar_cli.solve.between.solved_motion import SolvedMotion
+from planar_cli.solve.between.branches.solved_motion import SolvedMotion
+from planar_cli.solve.between.roots.chain import Branch
 from planar_cli.solve.regimes.mode_sequence import ModeSequence
 
 

@@ -5,16 +5,16 @@ from __future__ import annotations
 from dataclasses import replace
 from decimal import Decimal
 
-from planar_cli.equation.plain import by_name
-from planar_cli.solve.between.agreement import demand_fulfilled
-from planar_cli.solve.between.asked_finds import AskedFind
-from planar_cli.solve.between.differences import by_differences
-from planar_cli.solve.between.followed import Followed
-from planar_cli.solve.between.integrals_that_hold import holding
-from planar_cli.solve.between.matching import beside
-from planar_cli.solve.between.motion_equations import MotionEquations
-from planar_cli.solve.between.newton import refined_left
-from planar_cli.solve.between.solved_motion import SolvedMotion
+from planar_cli.equation.algebra.plain import by_name
+from planar_cli.solve.between.branches.agreement import demand_fulfilled
+from planar_cli.solve.between.branches.differences import by_differences
+from planar_cli.solve.between.branches.matching import beside
+from planar_cli.solve.between.branches.solved_motion import SolvedMotion
+from planar_cli.solve.between.equations.asked_finds import AskedFind
+from planar_cli.solve.between.equations.motion_equations import MotionEquations
+from planar_cli.solve.between.equations.newton import refined_left
+from planar_cli.solve.between.roots.followed import Followed
+from planar_cli.solve.between.roots.integrals_that_hold import holding
 from planar_cli.solve.diagnosis.motions import demand_agreement
 from planar_cli.solve.diagnosis.unbounded_times import demand_no_times, without_endless_places, without_times
 

@@ -10,10 +10,10 @@ from functools import partial
 
 import sympy as sp
 
-from planar_cli.equation.exact import CERTAIN, Valuation
-from planar_cli.equation.plain import derivative
-from planar_cli.solve.between.motion_equations import MotionEquations
-from planar_cli.solve.between.stated_motion import StatedMotion
+from planar_cli.equation.algebra.plain import derivative
+from planar_cli.equation.values.exact import CERTAIN, Valuation
+from planar_cli.solve.between.equations.motion_equations import MotionEquations
+from planar_cli.solve.between.equations.stated_motion import StatedMotion
 from planar_cli.solve.following.gaps import just_parted
 from planar_cli.solve.following.stillness import acted_on, resting
 from planar_cli.solve.regimes.regime import Regime

@@ -12,13 +12,13 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.displacement import Coordinate
-from planar_cli.equation.exact import CERTAIN, Valuation
-from planar_cli.equation.plain import by_name
-from planar_cli.equation.sample import anywhere
+from planar_cli.equation.algebra.plain import by_name
+from planar_cli.equation.scene.displacement import Coordinate
+from planar_cli.equation.values.exact import CERTAIN, Valuation
+from planar_cli.equation.values.sample import anywhere
 from planar_cli.errors import FileProblem, NotReached, NoValue
-from planar_cli.problem.expression import AtRest
-from planar_cli.solve.between.stated_motion import StatedMotion
+from planar_cli.problem.language.expression import AtRest
+from planar_cli.solve.between.equations.stated_motion import StatedMotion
 from planar_cli.solve.instant.worked import unknowns_of
 from planar_cli.solve.regimes.constraints import project
 from planar_cli.solve.regimes.regime import Regime

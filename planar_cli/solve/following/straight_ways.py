@@ -10,12 +10,12 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
-from planar_cli.motion.layout import Frame
-from planar_cli.problem.expression import JustAfter, Quantity, Relation
-from planar_cli.problem.going import Going
-from planar_cli.problem.scene import Body, Problem, State
-from planar_cli.problem.walk import walk
-from planar_cli.solve.between.solved_motion import SolvedMotion
+from planar_cli.motion.terms.layout import Frame
+from planar_cli.problem.language.expression import JustAfter, Quantity, Relation
+from planar_cli.problem.language.walk import walk
+from planar_cli.problem.scene.going import Going
+from planar_cli.problem.scene.scene import Body, Problem, State
+from planar_cli.solve.between.branches.solved_motion import SolvedMotion
 from planar_cli.solve.following.traced import Traced
 from planar_cli.solve.regimes.mode_sequence import Workshop
 

@@ -9,23 +9,23 @@ from dataclasses import replace
 
 import sympy as sp
 
-from planar_cli.equation.exact import Valuation
-from planar_cli.equation.setup import numbers_of
+from planar_cli.equation.system.setup import numbers_of
+from planar_cli.equation.values.exact import Valuation
 from planar_cli.errors import FileProblem, NoSolution, Undecided
 from planar_cli.integrators.base import MOST_STEPS
 from planar_cli.joints.base import distinct
-from planar_cli.motion.automaton import Choice, Start
-from planar_cli.motion.segment import Segment
-from planar_cli.motion.trajectory import Transition
-from planar_cli.motion.transition import Moment as Instant
-from planar_cli.motion.transition import Resolved, resolve
-from planar_cli.problem.facts import Mode
-from planar_cli.problem.scene import Problem
+from planar_cli.motion.follow.transition import Moment as Instant
+from planar_cli.motion.follow.transition import Resolved, resolve
+from planar_cli.motion.trajectory.automaton import Choice, Start
+from planar_cli.motion.trajectory.segment import Segment
+from planar_cli.motion.trajectory.trajectory import Transition
+from planar_cli.problem.scene.facts import Mode
+from planar_cli.problem.scene.scene import Problem
 from planar_cli.records import record
 from planar_cli.simulate.dated_by_spans import dated_by_spans
 from planar_cli.simulate.measures import Moment
 from planar_cli.simulate.run import Prepared, Run, Settings, followed, prepared
-from planar_cli.solve.between.stated_motion import StatedMotion
+from planar_cli.solve.between.equations.stated_motion import StatedMotion
 from planar_cli.solve.following.dated import dated, is_told_by_a_span, told_by_what_follows
 from planar_cli.solve.following.letters import Letters
 from planar_cli.solve.impulsive.impact import arriving

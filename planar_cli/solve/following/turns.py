@@ -11,11 +11,11 @@ from dataclasses import replace
 
 import sympy as sp
 
-from planar_cli.equation.setup import has_quantity
+from planar_cli.equation.system.setup import has_quantity
 from planar_cli.errors import Diagnostic, NoSolution, Undecided
-from planar_cli.problem.expression import Quantity, Relation, Statement
-from planar_cli.problem.scene import State
-from planar_cli.solve.between.solved_motion import SolvedMotion
+from planar_cli.problem.language.expression import Quantity, Relation, Statement
+from planar_cli.problem.scene.scene import State
+from planar_cli.solve.between.branches.solved_motion import SolvedMotion
 from planar_cli.solve.regimes.timeline import is_place_angle
 
 

@@ -11,12 +11,12 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.exact import Unvalued, Valuation
-from planar_cli.equation.motion import Twist
+from planar_cli.equation.kinematics.motion import Twist
+from planar_cli.equation.values.exact import Unvalued, Valuation
 from planar_cli.errors import Diagnostic, NoSolution, NoValue
 from planar_cli.joints.base import Joint
-from planar_cli.problem.geometry import Vec
-from planar_cli.solve.between.solved_motion import SolvedMotion
+from planar_cli.problem.scene.geometry import Vec
+from planar_cli.solve.between.branches.solved_motion import SolvedMotion
 from planar_cli.solve.diagnosis.words import short
 from planar_cli.solve.impulsive.impact import Blow
 from planar_cli.solve.instant.instant import Trial

@@ -14,20 +14,20 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.equation.cancelled_angles import without_cancelled_angles
-from planar_cli.equation.exact import Valuation
-from planar_cli.equation.jets import constant
-from planar_cli.equation.motion import Edge, Motion
-from planar_cli.equation.setup import Course as Position
-from planar_cli.equation.struck import StruckScene
-from planar_cli.equation.system import System
+from planar_cli.equation.kinematics.motion import Edge, Motion
+from planar_cli.equation.kinematics.struck import StruckScene
+from planar_cli.equation.system.setup import Course as Position
+from planar_cli.equation.system.system import System
+from planar_cli.equation.values.cancelled_angles import without_cancelled_angles
+from planar_cli.equation.values.exact import Valuation
+from planar_cli.equation.values.jets import constant
 from planar_cli.errors import Diagnostic, NoSolution
-from planar_cli.problem.expression import Quantity
-from planar_cli.problem.facts import FAR
-from planar_cli.problem.formulas import formulas
-from planar_cli.problem.geometry import Vec
-from planar_cli.problem.scene import GROUND
-from planar_cli.problem.walk import walk
+from planar_cli.problem.checks.formulas import formulas
+from planar_cli.problem.language.expression import Quantity
+from planar_cli.problem.language.walk import walk
+from planar_cli.problem.scene.facts import FAR
+from planar_cli.problem.scene.geometry import Vec
+from planar_cli.problem.scene.scene import GROUND
 from planar_cli.records import record
 from planar_cli.solve.impulsive.instant import Struck, struck_instant
 from planar_cli.solve.instant.instant import Trial

@@ -9,25 +9,25 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.equation.components import Components, component
-from planar_cli.equation.conditions import ACCELERATION, VELOCITY, order
-from planar_cli.equation.exact import Valuation
-from planar_cli.equation.headings import headings
-from planar_cli.equation.jets import Jet
-from planar_cli.equation.ledger import Kind, Role
-from planar_cli.equation.motion import Edge, Tree, TreeBuilder, Twist
-from planar_cli.equation.setup import Course as Position
-from planar_cli.equation.setup import Setup
-from planar_cli.equation.struck import StruckScene
-from planar_cli.equation.system import Statements, mode_of
+from planar_cli.equation.kinematics.components import Components, component
+from planar_cli.equation.kinematics.motion import Edge, Tree, TreeBuilder, Twist
+from planar_cli.equation.kinematics.struck import StruckScene
+from planar_cli.equation.system.conditions import ACCELERATION, VELOCITY, order
+from planar_cli.equation.system.headings import headings
+from planar_cli.equation.system.setup import Course as Position
+from planar_cli.equation.system.setup import Setup
+from planar_cli.equation.system.system import Statements, mode_of
+from planar_cli.equation.values.exact import Valuation
+from planar_cli.equation.values.jets import Jet
+from planar_cli.equation.values.ledger import Kind, Role
 from planar_cli.errors import refuse
 from planar_cli.joints.base import Joint
-from planar_cli.problem.expression import AtRest, Binary, Grouped, Name, Quantity, Relation, Side, Statement
-from planar_cli.problem.facts import Joining, Mode, Push
-from planar_cli.problem.geometry import Vec
-from planar_cli.problem.impulse_letters import of_reaction
-from planar_cli.problem.scene import Problem
-from planar_cli.problem.walk import walk
+from planar_cli.problem.language.expression import AtRest, Binary, Grouped, Name, Quantity, Relation, Side, Statement
+from planar_cli.problem.language.walk import walk
+from planar_cli.problem.scene.facts import Joining, Mode, Push
+from planar_cli.problem.scene.geometry import Vec
+from planar_cli.problem.scene.impulse_letters import of_reaction
+from planar_cli.problem.scene.scene import Problem
 from planar_cli.solve.impulsive.oblique import oblique_strikes
 from planar_cli.solve.instant.asked import FORCES
 from planar_cli.solve.instant.instant import Instant, Trial

@@ -6,8 +6,8 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.problem.geometry import Vec
-from planar_cli.problem.scene import GROUND
+from planar_cli.problem.scene.geometry import Vec
+from planar_cli.problem.scene.scene import GROUND
 
 
 def oblique_strikes(scene: Any) -> dict[str, Vec]:

@@ -12,14 +12,14 @@ from dataclasses import replace
 
 import sympy as sp
 
-from planar_cli.equation.motion import Twist
-from planar_cli.problem.expression import Quantity
-from planar_cli.problem.facts import Wrench
-from planar_cli.problem.geometry import Vec
-from planar_cli.problem.reactions import Reactions
-from planar_cli.problem.scene import GROUND
+from planar_cli.equation.kinematics.motion import Twist
+from planar_cli.problem.language.expression import Quantity
+from planar_cli.problem.scene.facts import Wrench
+from planar_cli.problem.scene.geometry import Vec
+from planar_cli.problem.scene.reactions import Reactions
+from planar_cli.problem.scene.scene import GROUND
 from planar_cli.records import record
-from planar_cli.solve.between.span_rates import moment_or_force, on_bodies
+from planar_cli.solve.between.equations.span_rates import moment_or_force, on_bodies
 from planar_cli.solve.impulsive.impact import Blow
 
 HALF = sp.Rational(1, 2)

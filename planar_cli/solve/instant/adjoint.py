@@ -12,11 +12,11 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.exact import CERTAIN, ONE, ZERO
-from planar_cli.equation.kinetics import body_residuals
-from planar_cli.equation.system import System
+from planar_cli.equation.system.kinetics import body_residuals
+from planar_cli.equation.system.system import System
+from planar_cli.equation.values.exact import CERTAIN, ONE, ZERO
 from planar_cli.principles.base import Single
-from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scene.geometry import Vec
 from planar_cli.solve.instant.candidates import (
     CONSTRUCTED,
     FAR,

@@ -11,11 +11,11 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.cancelling import cancelled
-from planar_cli.equation.exact import Unvalued, Valuation
-from planar_cli.equation.factoring import factored
-from planar_cli.equation.form import Nonlinear, linear_form
-from planar_cli.equation.plain import longer, tidy
+from planar_cli.equation.algebra.cancelling import cancelled
+from planar_cli.equation.algebra.factoring import factored
+from planar_cli.equation.algebra.form import Nonlinear, linear_form
+from planar_cli.equation.algebra.plain import longer, tidy
+from planar_cli.equation.values.exact import Unvalued, Valuation
 from planar_cli.records import record
 from planar_cli.solve.instant.led import OF_LENGTH
 from planar_cli.solve.instant.outright import Outright, outright

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from planar_cli.equation.system import mode_of
+from planar_cli.equation.system.system import mode_of
 from planar_cli.joints.base import Joint
-from planar_cli.problem.expression import Name, Quantity, Relation, Side
-from planar_cli.problem.formulas import formulas
-from planar_cli.problem.outermost import quantities_in
-from planar_cli.problem.scene import Find, Line, Problem
-from planar_cli.problem.walk import walk
+from planar_cli.problem.checks.formulas import formulas
+from planar_cli.problem.language.expression import Name, Quantity, Relation, Side
+from planar_cli.problem.language.outermost import quantities_in
+from planar_cli.problem.language.walk import walk
+from planar_cli.problem.scene.scene import Find, Line, Problem
 
 FORCES = frozenset(("N", "friction", "reaction", "moment", "tension", "force", "power", "mode"))
 """Quantities that are about forces."""

@@ -7,7 +7,7 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.system import System
+from planar_cli.equation.system.system import System
 from planar_cli.records import record
 from planar_cli.solve.instant.algebra import Line, SolvedBlock
 from planar_cli.solve.instant.candidates import Candidate

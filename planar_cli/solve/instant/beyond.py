@@ -10,9 +10,9 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.exact import Valuation
-from planar_cli.problem.expression import Extreme
-from planar_cli.problem.not_negative import not_negative
+from planar_cli.equation.values.exact import Valuation
+from planar_cli.problem.implied.not_negative import not_negative
+from planar_cli.problem.language.expression import Extreme
 from planar_cli.solve.instant.seeker import Seeker, Sought
 from planar_cli.solve.instant.study import solve_velocities
 from planar_cli.solve.instant.worked import unknowns_of

@@ -9,8 +9,8 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.exact import Valuation
-from planar_cli.equation.form import Nonlinear, linear_form
+from planar_cli.equation.algebra.form import Nonlinear, linear_form
+from planar_cli.equation.values.exact import Valuation
 from planar_cli.errors import NoValue, Undecided
 from planar_cli.records import record
 from planar_cli.solve.instant.algebra import Algebra, Line, SolvedBlock

@@ -11,10 +11,10 @@ from dataclasses import replace
 from decimal import Decimal
 from fractions import Fraction
 
-from planar_cli.equation.setup import Setup
-from planar_cli.equation.system import Statements
-from planar_cli.problem.expression import Binary, Number, Quantity, Relation
-from planar_cli.problem.outermost import quantities_in
+from planar_cli.equation.system.setup import Setup
+from planar_cli.equation.system.system import Statements
+from planar_cli.problem.language.expression import Binary, Number, Quantity, Relation
+from planar_cli.problem.language.outermost import quantities_in
 from planar_cli.solve.instant.instant import NONLINEAR, OPEN, TINY, Instant
 from planar_cli.solve.instant.modes_search import search_modes
 from planar_cli.solve.solution import Found, InstantSolution

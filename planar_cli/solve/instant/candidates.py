@@ -12,11 +12,11 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.conditions import Condition
-from planar_cli.equation.exact import CERTAIN, ONE, ZERO
-from planar_cli.equation.scene import Scene
+from planar_cli.equation.scene.scene import Scene
+from planar_cli.equation.system.conditions import Condition
+from planar_cli.equation.values.exact import CERTAIN, ONE, ZERO
 from planar_cli.principles.base import Single
-from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scene.geometry import Vec
 from planar_cli.records import record
 from planar_cli.solve.multibody.linear import Row, clean, rank, scaled
 

@@ -12,12 +12,12 @@ from collections.abc import Callable, Iterator
 
 import sympy as sp
 
-from planar_cli.equation.parts_of_accelerations import CORIOLIS, NORMAL, TANGENTIAL, with_mark
-from planar_cli.equation.plain import longer, tidy, trigonometric
-from planar_cli.equation.system import System
-from planar_cli.problem.facts import Joining
-from planar_cli.problem.geometry import Vec
-from planar_cli.problem.scene import GROUND
+from planar_cli.equation.algebra.plain import longer, tidy, trigonometric
+from planar_cli.equation.system.system import System
+from planar_cli.equation.values.parts_of_accelerations import CORIOLIS, NORMAL, TANGENTIAL, with_mark
+from planar_cli.problem.scene.facts import Joining
+from planar_cli.problem.scene.geometry import Vec
+from planar_cli.problem.scene.scene import GROUND
 from planar_cli.solve.instant.drawn_ways import guided
 
 LONGEST = 4

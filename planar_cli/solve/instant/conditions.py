@@ -7,15 +7,15 @@ from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
-from planar_cli.equation.common_factors import factor_terms
-from planar_cli.equation.plain import longer
+from planar_cli.equation.algebra.common_factors import factor_terms
+from planar_cli.equation.algebra.plain import longer
 from planar_cli.records import record
 from planar_cli.solve.instant.instant import TINY, Trial
 from planar_cli.solve.instant.parting import parting
 from planar_cli.solve.instant.worked import unknowns_of
 
 if TYPE_CHECKING:
-    from planar_cli.problem.facts import Test
+    from planar_cli.problem.scene.facts import Test
     from planar_cli.solve.instant.seeker import Sought
 
 LONGEST = 60

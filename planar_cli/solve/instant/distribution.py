@@ -9,8 +9,8 @@ from __future__ import annotations
 from dataclasses import replace
 from decimal import Decimal
 
-from planar_cli.equation.exact import ONE, ZERO
-from planar_cli.equation.system import System
+from planar_cli.equation.system.system import System
+from planar_cli.equation.values.exact import ONE, ZERO
 from planar_cli.solve.instant.study import Outcome, measure, under_way
 
 Bound = tuple[Decimal, dict[int, Decimal]]

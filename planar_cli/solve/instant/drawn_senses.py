@@ -12,11 +12,11 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.expansion import expanded
-from planar_cli.equation.form import Nonlinear, linear_form
-from planar_cli.equation.known_turns import turns_as_loaded
-from planar_cli.equation.plain import trigonometric
-from planar_cli.problem.going import Going
+from planar_cli.equation.algebra.expansion import expanded
+from planar_cli.equation.algebra.form import Nonlinear, linear_form
+from planar_cli.equation.algebra.plain import trigonometric
+from planar_cli.equation.system.known_turns import turns_as_loaded
+from planar_cli.problem.scene.going import Going
 from planar_cli.solve.instant.instant import Instant, Trial
 from planar_cli.solve.instant.worked import unknowns_of
 

@@ -9,11 +9,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from planar_cli.equation.exact import CERTAIN
-from planar_cli.equation.system import System
-from planar_cli.problem.facts import Joining, Push
-from planar_cli.problem.geometry import Vec
-from planar_cli.problem.scene import GROUND
+from planar_cli.equation.system.system import System
+from planar_cli.equation.values.exact import CERTAIN
+from planar_cli.problem.scene.facts import Joining, Push
+from planar_cli.problem.scene.geometry import Vec
+from planar_cli.problem.scene.scene import GROUND
 from planar_cli.solve.instant.led import led_by_ground
 from planar_cli.solve.instant.numbers import Numbers
 

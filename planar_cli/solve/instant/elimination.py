@@ -13,11 +13,11 @@ from itertools import combinations
 
 import sympy as sp
 
-from planar_cli.equation.common_factors import together
-from planar_cli.equation.exact import Valuation
-from planar_cli.equation.expansion import expanded, wide
-from planar_cli.equation.form import Form, Nonlinear, linear_form
-from planar_cli.equation.plain import letters, longer, tidy
+from planar_cli.equation.algebra.common_factors import together
+from planar_cli.equation.algebra.expansion import expanded, wide
+from planar_cli.equation.algebra.form import Form, Nonlinear, linear_form
+from planar_cli.equation.algebra.plain import letters, longer, tidy
+from planar_cli.equation.values.exact import Valuation
 from planar_cli.records import record
 from planar_cli.solve.instant.algebra import Line
 

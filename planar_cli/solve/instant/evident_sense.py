@@ -11,10 +11,10 @@ from collections.abc import Callable
 
 import sympy as sp
 
-from planar_cli.equation.system import System
-from planar_cli.problem.expression import Quantity
-from planar_cli.problem.geometry import Vec
-from planar_cli.problem.walk import walk
+from planar_cli.equation.system.system import System
+from planar_cli.problem.language.expression import Quantity
+from planar_cli.problem.language.walk import walk
+from planar_cli.problem.scene.geometry import Vec
 
 
 def in_its_sense(

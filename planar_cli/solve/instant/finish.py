@@ -9,17 +9,17 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from planar_cli.equation.common_factors import factor_terms
-from planar_cli.equation.conditions import vector_or_jet
-from planar_cli.equation.exact import Sample, Valuation
-from planar_cli.equation.plain import by_name, in_factors, letters, longer, replaced, rounded_inside
-from planar_cli.equation.system import System, mode_of
-from planar_cli.equation.tipping import tipping
+from planar_cli.equation.algebra.common_factors import factor_terms
+from planar_cli.equation.algebra.plain import by_name, in_factors, letters, longer, replaced, rounded_inside
+from planar_cli.equation.system.conditions import vector_or_jet
+from planar_cli.equation.system.system import System, mode_of
+from planar_cli.equation.system.tipping import tipping
+from planar_cli.equation.values.exact import Sample, Valuation
 from planar_cli.errors import Diagnostic, NoSolution, refuse
-from planar_cli.problem.dimensions import Kind, dimension_of
-from planar_cli.problem.expression import Quantity, Relation, Side
-from planar_cli.problem.geometry import Vec
-from planar_cli.problem.outermost import is_energy
+from planar_cli.problem.language.dimensions import Kind, dimension_of
+from planar_cli.problem.language.expression import Quantity, Relation, Side
+from planar_cli.problem.language.outermost import is_energy
+from planar_cli.problem.scene.geometry import Vec
 from planar_cli.solve.diagnosis.words import listed, names_of
 from planar_cli.solve.instant.asked import asks_mode
 from planar_cli.solve.instant.conditions import conditions, conditions_beside
@@ -34,9 +34,9 @@ from planar_cli.solve.solution import Found, InstantSolution
 from planar_cli.units import Unit, parse_unit
 
 if TYPE_CHECKING:
-    from planar_cli.equation.displacement import Coordinate
-    from planar_cli.equation.quantities import Quantities
-    from planar_cli.problem.scene import Find
+    from planar_cli.equation.kinematics.quantities import Quantities
+    from planar_cli.equation.scene.displacement import Coordinate
+    from planar_cli.problem.scene.scene import Find
     from planar_cli.solve.instant.instant import Instant, Trial
     from planar_cli.solve.instant.seeker import Sought
 

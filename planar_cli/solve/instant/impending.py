@@ -13,7 +13,7 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.system import System
+from planar_cli.equation.system.system import System
 from planar_cli.solve.instant.instant import Instant
 from planar_cli.solve.instant.seeker import Seeker, Sought
 

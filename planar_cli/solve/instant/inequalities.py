@@ -7,9 +7,9 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.exact import Valuation
-from planar_cli.equation.quantities import Quantities
-from planar_cli.problem.expression import Relation
+from planar_cli.equation.kinematics.quantities import Quantities
+from planar_cli.equation.values.exact import Valuation
+from planar_cli.problem.language.expression import Relation
 from planar_cli.records import record
 
 

@@ -10,25 +10,25 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.equation.components import components_of
-from planar_cli.equation.displacement import Coordinate
-from planar_cli.equation.driving import driving_pushes
-from planar_cli.equation.exact import Valuation
-from planar_cli.equation.headings import headings
-from planar_cli.equation.known_turns import with_known_turns
-from planar_cli.equation.ledger import Ledger
-from planar_cli.equation.motion import Motion, TreeBuilder
-from planar_cli.equation.setup import Setup, is_linear, names_in
-from planar_cli.equation.system import Statements, System, make_system
-from planar_cli.equation.turned_pushes import with_turned
+from planar_cli.equation.kinematics.components import components_of
+from planar_cli.equation.kinematics.motion import Motion, TreeBuilder
+from planar_cli.equation.scene.displacement import Coordinate
+from planar_cli.equation.system.driving import driving_pushes
+from planar_cli.equation.system.headings import headings
+from planar_cli.equation.system.known_turns import with_known_turns
+from planar_cli.equation.system.setup import Setup, is_linear, names_in
+from planar_cli.equation.system.system import Statements, System, make_system
+from planar_cli.equation.system.turned_pushes import with_turned
+from planar_cli.equation.values.exact import Valuation
+from planar_cli.equation.values.ledger import Ledger
 from planar_cli.joints.base import Joint, distinct
 from planar_cli.loads.base import Load, mode_key
 from planar_cli.principles.base import Family, Principle
-from planar_cli.problem.expression import Side
-from planar_cli.problem.facts import Mode, Push, Test
-from planar_cli.problem.keys import Flow, keys_of
-from planar_cli.problem.polar import TOGETHER
-from planar_cli.problem.stated_downward import stated_downward
+from planar_cli.problem.implied.stated_downward import stated_downward
+from planar_cli.problem.language.expression import Side
+from planar_cli.problem.scene.facts import Mode, Push, Test
+from planar_cli.problem.scene.keys import Flow, keys_of
+from planar_cli.problem.scene.polar import TOGETHER
 from planar_cli.records import record
 from planar_cli.solve.instant.asked import (
     alias_of,

@@ -13,12 +13,12 @@ from collections.abc import Callable
 
 import sympy as sp
 
-from planar_cli.equation.conditions import Condition
-from planar_cli.equation.plain import tidy
-from planar_cli.equation.system import System
-from planar_cli.problem.facts import Joining
-from planar_cli.problem.geometry import Vec
-from planar_cli.problem.scene import GROUND
+from planar_cli.equation.algebra.plain import tidy
+from planar_cli.equation.system.conditions import Condition
+from planar_cli.equation.system.system import System
+from planar_cli.problem.scene.facts import Joining
+from planar_cli.problem.scene.geometry import Vec
+from planar_cli.problem.scene.scene import GROUND
 from planar_cli.solve.instant.written import Written
 
 OF_LENGTH = "the square of its length, differentiated"

@@ -7,13 +7,13 @@ from dataclasses import replace
 
 import sympy as sp
 
-from planar_cli.equation.conditions import Condition
-from planar_cli.equation.on_two_points import on_two_points
-from planar_cli.equation.system import Statements, System
-from planar_cli.problem.expression import Extreme, Name, Side
-from planar_cli.problem.facts import Test
-from planar_cli.problem.not_negative import not_negative
-from planar_cli.problem.scene import Problem
+from planar_cli.equation.system.conditions import Condition
+from planar_cli.equation.system.on_two_points import on_two_points
+from planar_cli.equation.system.system import Statements, System
+from planar_cli.problem.implied.not_negative import not_negative
+from planar_cli.problem.language.expression import Extreme, Name, Side
+from planar_cli.problem.scene.facts import Test
+from planar_cli.problem.scene.scene import Problem
 
 PARTS = "the contact is about to part"
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import sympy as sp
 
-from planar_cli.equation.system import System
-from planar_cli.problem.geometry import Vec
+from planar_cli.equation.system.system import System
+from planar_cli.problem.scene.geometry import Vec
 from planar_cli.solve.instant.numbers import Numbers
 
 

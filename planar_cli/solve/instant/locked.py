@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
-from planar_cli.equation.exact import ZERO
-from planar_cli.equation.system import System
+from planar_cli.equation.system.system import System
+from planar_cli.equation.values.exact import ZERO
 from planar_cli.solve.multibody.assembly import Assembly
 from planar_cli.solve.multibody.linear import Span
 

@@ -6,10 +6,10 @@ from collections.abc import Iterator
 from decimal import Decimal
 from functools import partial
 
-from planar_cli.equation.exact import Valuation
+from planar_cli.equation.values.exact import Valuation
 from planar_cli.errors import Undecided
-from planar_cli.problem.facts import Row, Skid, relative
-from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scene.facts import Row, Skid, relative
+from planar_cli.problem.scene.geometry import Vec
 from planar_cli.solve.instant.instant import MOST_MODES, TINY, Instant, Trial
 
 

@@ -8,8 +8,8 @@ from collections.abc import Sequence
 
 import sympy as sp
 
-from planar_cli.equation.plain import tidy
-from planar_cli.problem.geometry import Vec
+from planar_cli.equation.algebra.plain import tidy
+from planar_cli.problem.scene.geometry import Vec
 from planar_cli.solve.instant.written import Explicit
 
 Part = tuple[Vec, sp.Expr]

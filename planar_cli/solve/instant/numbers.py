@@ -8,9 +8,9 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.exact import ZERO, Valuation
-from planar_cli.equation.form import Form, linear_form
-from planar_cli.equation.plain import derivative
+from planar_cli.equation.algebra.form import Form, linear_form
+from planar_cli.equation.algebra.plain import derivative
+from planar_cli.equation.values.exact import ZERO, Valuation
 from planar_cli.records import changing
 from planar_cli.solve.multibody.linear import Row
 

@@ -14,16 +14,16 @@ from functools import cached_property, partial
 
 import sympy as sp
 
-from planar_cli.equation.cancelling import cancelled
-from planar_cli.equation.centres import centre_of
-from planar_cli.equation.conditions import Condition
-from planar_cli.equation.exact import CERTAIN, ONE, ZERO
-from planar_cli.equation.expansion import expanded
-from planar_cli.equation.plain import longer, tidy
-from planar_cli.equation.system import System
+from planar_cli.equation.algebra.cancelling import cancelled
+from planar_cli.equation.algebra.expansion import expanded
+from planar_cli.equation.algebra.plain import longer, tidy
+from planar_cli.equation.scene.centres import centre_of
+from planar_cli.equation.system.conditions import Condition
+from planar_cli.equation.system.system import System
+from planar_cli.equation.values.exact import CERTAIN, ONE, ZERO
 from planar_cli.principles.base import BodyFamily, Family, Single
-from planar_cli.problem.geometry import Vec
-from planar_cli.problem.scene import GROUND
+from planar_cli.problem.scene.geometry import Vec
+from planar_cli.problem.scene.scene import GROUND
 from planar_cli.records import record
 from planar_cli.solve.instant import candidates as c
 from planar_cli.solve.instant.candidates import Candidate, Choice, combine, cross3, priced

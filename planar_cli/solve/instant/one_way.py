@@ -12,10 +12,10 @@ from dataclasses import replace
 
 import sympy as sp
 
-from planar_cli.equation.conditions import Condition
-from planar_cli.equation.form import Nonlinear, linear_form
-from planar_cli.equation.plain import simplified
-from planar_cli.problem.geometry import Vec
+from planar_cli.equation.algebra.form import Nonlinear, linear_form
+from planar_cli.equation.algebra.plain import simplified
+from planar_cli.equation.system.conditions import Condition
+from planar_cli.problem.scene.geometry import Vec
 
 
 def along_paths(

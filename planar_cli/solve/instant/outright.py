@@ -11,9 +11,9 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.exact import Valuation
-from planar_cli.equation.form import Nonlinear, linear_form
-from planar_cli.equation.plain import tidy
+from planar_cli.equation.algebra.form import Nonlinear, linear_form
+from planar_cli.equation.algebra.plain import tidy
+from planar_cli.equation.values.exact import Valuation
 from planar_cli.records import record
 
 FEWEST, LARGEST = 3, 8

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import sympy as sp
 
-from planar_cli.equation.motion import Motion
-from planar_cli.problem.facts import Joining, Path, Test
+from planar_cli.equation.kinematics.motion import Motion
+from planar_cli.problem.scene.facts import Joining, Path, Test
 
 
 def parting(motion: Motion, test: Test) -> sp.Expr | None:

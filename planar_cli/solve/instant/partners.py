@@ -9,7 +9,7 @@ from dataclasses import replace
 
 import sympy as sp
 
-from planar_cli.equation.system import System
+from planar_cli.equation.system.system import System
 from planar_cli.solve.instant.candidates import Candidate
 from planar_cli.solve.instant.plan import Block, Plan
 

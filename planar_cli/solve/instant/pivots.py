@@ -10,8 +10,8 @@ from itertools import combinations
 
 import sympy as sp
 
-from planar_cli.equation.counting import operations
-from planar_cli.equation.form import Nonlinear, linear_form
+from planar_cli.equation.algebra.counting import operations
+from planar_cli.equation.algebra.form import Nonlinear, linear_form
 from planar_cli.records import record
 
 LARGEST = 6

@@ -11,9 +11,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 
-from planar_cli.equation.centres import centre_of
-from planar_cli.equation.system import System
-from planar_cli.problem.geometry import Vec
+from planar_cli.equation.scene.centres import centre_of
+from planar_cli.equation.system.system import System
+from planar_cli.problem.scene.geometry import Vec
 from planar_cli.records import record
 from planar_cli.solve.instant.adjoint import sum_masks
 from planar_cli.solve.instant.candidates import Candidate

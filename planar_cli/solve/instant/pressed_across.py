@@ -6,8 +6,8 @@ bodies they stand for nothing, and go out by the balance across the line. A load
 
 from __future__ import annotations
 
-from planar_cli.equation.system import System
-from planar_cli.problem.scene import GROUND
+from planar_cli.equation.system.system import System
+from planar_cli.problem.scene.scene import GROUND
 
 
 def pressed_across_lines(system: System) -> frozenset[str]:

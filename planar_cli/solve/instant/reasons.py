@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import sympy as sp
 
-from planar_cli.equation.led import led, root_edge
-from planar_cli.equation.system import System
-from planar_cli.problem.facts import Joining
+from planar_cli.equation.system.led import led, root_edge
+from planar_cli.equation.system.system import System
+from planar_cli.problem.scene.facts import Joining
 
 
 def acceleration_words(system: System, body: str, centre: str, axis: str = "", component: sp.Expr = sp.S.Zero) -> str:

@@ -12,9 +12,9 @@ from fractions import Fraction
 
 import sympy as sp
 
-from planar_cli.equation.exact import Valuation
-from planar_cli.equation.ledger import Ledger
-from planar_cli.equation.plain import longer
+from planar_cli.equation.algebra.plain import longer
+from planar_cli.equation.values.exact import Valuation
+from planar_cli.equation.values.ledger import Ledger
 
 LARGEST = 12
 """A fraction with a larger denominator is no simple one."""

@@ -16,12 +16,12 @@ import sympy as sp
 from sympy.functions.elementary.hyperbolic import HyperbolicFunction
 from sympy.functions.elementary.trigonometric import TrigonometricFunction
 
-from planar_cli.equation.cancelling import cancelled
-from planar_cli.equation.common_factors import together
-from planar_cli.equation.exact import DIGITS, PI, Valuation
-from planar_cli.equation.expansion import expanded, wide
-from planar_cli.equation.factoring import factored
-from planar_cli.equation.powers_of import powers_of
+from planar_cli.equation.algebra.cancelling import cancelled
+from planar_cli.equation.algebra.common_factors import together
+from planar_cli.equation.algebra.expansion import expanded, wide
+from planar_cli.equation.algebra.factoring import factored
+from planar_cli.equation.algebra.powers_of import powers_of
+from planar_cli.equation.values.exact import DIGITS, PI, Valuation
 from planar_cli.errors import NoValue, Undecided
 from planar_cli.records import record
 from planar_cli.solve.instant.scan import scanned

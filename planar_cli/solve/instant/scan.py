@@ -9,7 +9,7 @@ from functools import cache, lru_cache
 import sympy as sp
 
 from planar_cli.calculus.polish import polish
-from planar_cli.equation.exact import PI, Valuation
+from planar_cli.equation.values.exact import PI, Valuation
 from planar_cli.errors import NoValue
 
 JUMP = Decimal("1e-12")

@@ -14,9 +14,9 @@ from functools import partial
 
 import sympy as sp
 
-from planar_cli.equation.exact import Valuation
-from planar_cli.equation.form import Nonlinear
-from planar_cli.equation.system import System
+from planar_cli.equation.algebra.form import Nonlinear
+from planar_cli.equation.system.system import System
+from planar_cli.equation.values.exact import Valuation
 from planar_cli.errors import Diagnostic, NoSolution, Undecided, undecided_at
 from planar_cli.solve.diagnosis.clash import clash
 from planar_cli.solve.diagnosis.not_found import FIXED, contradiction, not_found, open_symbols, untold

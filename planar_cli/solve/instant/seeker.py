@@ -14,14 +14,14 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.conditions import POSITION, Condition, stated
-from planar_cli.equation.exact import Valuation
-from planar_cli.equation.form import Nonlinear, linear_form
-from planar_cli.equation.kinetics import body_residuals
-from planar_cli.equation.moving import all_wrenches
-from planar_cli.equation.sample import anywhere, fraction, generator
-from planar_cli.equation.system import System
-from planar_cli.problem.not_negative import not_negative
+from planar_cli.equation.algebra.form import Nonlinear, linear_form
+from planar_cli.equation.kinematics.moving import all_wrenches
+from planar_cli.equation.system.conditions import POSITION, Condition, stated
+from planar_cli.equation.system.kinetics import body_residuals
+from planar_cli.equation.system.system import System
+from planar_cli.equation.values.exact import Valuation
+from planar_cli.equation.values.sample import anywhere, fraction, generator
+from planar_cli.problem.implied.not_negative import not_negative
 from planar_cli.records import changing
 from planar_cli.solve.diagnosis.words import listed
 from planar_cli.solve.instant.algebra import Algebra

@@ -14,9 +14,9 @@ from typing import TypeVar
 
 import sympy as sp
 
-from planar_cli.equation.exact import PI, Valuation
-from planar_cli.equation.machine import compiled
-from planar_cli.equation.plain import derivative
+from planar_cli.equation.algebra.machine import compiled
+from planar_cli.equation.algebra.plain import derivative
+from planar_cli.equation.values.exact import PI, Valuation
 from planar_cli.errors import NoValue
 
 PLACES = {2: (-2.9, -1.3, -0.61, -0.23, 0.17, 0.53, 1.1, 2.7), 3: (-1.3, -0.31, 0.43, 1.1)}

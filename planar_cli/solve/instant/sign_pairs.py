@@ -13,19 +13,19 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from planar_cli.equation.ledger import display
-from planar_cli.equation.system import System
+from planar_cli.equation.system.system import System
+from planar_cli.equation.values.ledger import display
 from planar_cli.errors import Diagnostic, Mark, NoSolution
-from planar_cli.problem.expression import Quantity, Relation
-from planar_cli.problem.geometry import Vec
-from planar_cli.problem.not_negative import distances
-from planar_cli.problem.walk import walk
+from planar_cli.problem.implied.not_negative import distances
+from planar_cli.problem.language.expression import Quantity, Relation
+from planar_cli.problem.language.walk import walk
+from planar_cli.problem.scene.geometry import Vec
 from planar_cli.solve.diagnosis.choosing import relation_between
 from planar_cli.solve.diagnosis.words import in_unit
 from planar_cli.units import parse_unit
 
 if TYPE_CHECKING:
-    from planar_cli.equation.exact import Valuation
+    from planar_cli.equation.values.exact import Valuation
     from planar_cli.solve.instant.branches import Choice
     from planar_cli.solve.instant.instant import Instant
     from planar_cli.solve.instant.seeker import Sought

@@ -9,13 +9,13 @@ from functools import partial
 
 import sympy as sp
 
-from planar_cli.equation.conditions import Condition
-from planar_cli.equation.exact import Valuation
-from planar_cli.equation.form import Nonlinear, linear_form, mentions
-from planar_cli.equation.system import System
+from planar_cli.equation.algebra.form import Nonlinear, linear_form, mentions
+from planar_cli.equation.system.conditions import Condition
+from planar_cli.equation.system.system import System
+from planar_cli.equation.values.exact import Valuation
 from planar_cli.errors import undecided_at
 from planar_cli.principles.base import Family
-from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scene.geometry import Vec
 from planar_cli.records import changing, record
 from planar_cli.solve.instant.adjoint import adjoint_candidates, power_candidates, sum_masks
 from planar_cli.solve.instant.algebra import Algebra, SolvedBlock

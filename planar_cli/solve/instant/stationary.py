@@ -12,13 +12,13 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.conditions import Condition
-from planar_cli.equation.exact import Unvalued, Valuation
-from planar_cli.equation.factoring import factored
-from planar_cli.equation.form import Nonlinear, linear_form
-from planar_cli.equation.kinetics import body_residuals
+from planar_cli.equation.algebra.factoring import factored
+from planar_cli.equation.algebra.form import Nonlinear, linear_form
+from planar_cli.equation.system.conditions import Condition
+from planar_cli.equation.system.kinetics import body_residuals
+from planar_cli.equation.values.exact import Unvalued, Valuation
 from planar_cli.errors import NoValue, Undecided
-from planar_cli.problem.expression import Extreme
+from planar_cli.problem.language.expression import Extreme
 from planar_cli.records import record
 from planar_cli.solve.instant.seeker import Seeker, Sought
 from planar_cli.solve.instant.stationary_point import eliminated, unchanged

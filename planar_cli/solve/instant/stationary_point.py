@@ -10,11 +10,11 @@ from collections.abc import Iterable, Sequence
 
 import sympy as sp
 
-from planar_cli.equation.common_factors import factor_terms, together
-from planar_cli.equation.expansion import expanded
-from planar_cli.equation.factoring import factored
-from planar_cli.equation.ledger import at_state
-from planar_cli.equation.plain import longer, simplified
+from planar_cli.equation.algebra.common_factors import factor_terms, together
+from planar_cli.equation.algebra.expansion import expanded
+from planar_cli.equation.algebra.factoring import factored
+from planar_cli.equation.algebra.plain import longer, simplified
+from planar_cli.equation.values.ledger import at_state
 from planar_cli.errors import Undecided
 
 MOST = 4

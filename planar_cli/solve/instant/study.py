@@ -10,16 +10,16 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.equation.conditions import ACCELERATION, VELOCITY, Condition
-from planar_cli.equation.exact import CERTAIN, ONE, ZERO, Valuation
-from planar_cli.equation.form import Form, Nonlinear, linear_form
-from planar_cli.equation.motion import Motion
-from planar_cli.equation.moving import all_wrenches
-from planar_cli.equation.system import System
-from planar_cli.equation.tangent import Tangent
+from planar_cli.equation.algebra.form import Form, Nonlinear, linear_form
+from planar_cli.equation.kinematics.motion import Motion
+from planar_cli.equation.kinematics.moving import all_wrenches
+from planar_cli.equation.system.conditions import ACCELERATION, VELOCITY, Condition
+from planar_cli.equation.system.system import System
+from planar_cli.equation.values.exact import CERTAIN, ONE, ZERO, Valuation
+from planar_cli.equation.values.tangent import Tangent
 from planar_cli.errors import Undecided
-from planar_cli.problem.facts import Mode, Test, Wrench
-from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scene.facts import Mode, Test, Wrench
+from planar_cli.problem.scene.geometry import Vec
 from planar_cli.records import changing
 from planar_cli.solve.instant.tangents import tangent_in
 from planar_cli.solve.multibody.assembly import Assembly, Twist

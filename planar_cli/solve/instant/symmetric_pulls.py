@@ -7,7 +7,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from itertools import permutations
 
-from planar_cli.equation.exact import CERTAIN
+from planar_cli.equation.values.exact import CERTAIN
 from planar_cli.solve.instant.candidates import Candidate
 from planar_cli.solve.instant.partners import axis_of
 from planar_cli.solve.instant.plan import Block, Plan, bits

@@ -10,12 +10,12 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.curves import curve_formula
-from planar_cli.equation.exact import Valuation
-from planar_cli.equation.plain import longer, simplified
-from planar_cli.equation.system import System
-from planar_cli.problem.facts import Joining
-from planar_cli.problem.scene import GROUND, Curve
+from planar_cli.equation.algebra.plain import longer, simplified
+from planar_cli.equation.scene.curves import curve_formula
+from planar_cli.equation.system.system import System
+from planar_cli.equation.values.exact import Valuation
+from planar_cli.problem.scene.facts import Joining
+from planar_cli.problem.scene.scene import GROUND, Curve
 
 CLOSE = Decimal("1e-40")
 LONGEST = 20

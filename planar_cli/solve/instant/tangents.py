@@ -7,11 +7,11 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.exact import Valuation
-from planar_cli.equation.motion import Motion
-from planar_cli.equation.plain import letters
-from planar_cli.equation.system import System
-from planar_cli.equation.tangent import Tangent, tangent
+from planar_cli.equation.algebra.plain import letters
+from planar_cli.equation.kinematics.motion import Motion
+from planar_cli.equation.system.system import System
+from planar_cli.equation.values.exact import Valuation
+from planar_cli.equation.values.tangent import Tangent, tangent
 
 
 def tangent_in(

@@ -9,7 +9,7 @@ from dataclasses import replace
 
 import sympy as sp
 
-from planar_cli.equation.plain import derivative, simplified
+from planar_cli.equation.algebra.plain import derivative, simplified
 from planar_cli.solve.instant.written import Written
 
 GIVEN = "given"

@@ -13,11 +13,11 @@ from dataclasses import replace
 
 import sympy as sp
 
-from planar_cli.equation.conditions import POSITION, stated
-from planar_cli.equation.exact import Unvalued
-from planar_cli.equation.form import Nonlinear
+from planar_cli.equation.algebra.form import Nonlinear
+from planar_cli.equation.system.conditions import POSITION, stated
+from planar_cli.equation.values.exact import Unvalued
 from planar_cli.errors import NoValue, Undecided
-from planar_cli.problem.expression import Relation
+from planar_cli.problem.language.expression import Relation
 from planar_cli.solve.instant.asked import names_of_directions
 from planar_cli.solve.instant.by_direction import with_statements
 from planar_cli.solve.instant.instant import NONLINEAR, Instant

@@ -7,9 +7,9 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.exact import Sample, Valuation
+from planar_cli.equation.values.exact import Sample, Valuation
 from planar_cli.errors import NoValue, Undecided
-from planar_cli.problem.scene import Find
+from planar_cli.problem.scene.scene import Find
 
 
 def holds(

@@ -8,8 +8,8 @@ from collections.abc import Iterable
 
 import sympy as sp
 
-from planar_cli.equation.plain import by_name
-from planar_cli.equation.system import System
+from planar_cli.equation.algebra.plain import by_name
+from planar_cli.equation.system.system import System
 from planar_cli.errors import Diagnostic, Mark, Undecided, Unplanned
 
 ACROSS = (

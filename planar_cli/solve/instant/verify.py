@@ -8,10 +8,10 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.conditions import Condition
-from planar_cli.equation.exact import ZERO, Unvalued, Valuation
-from planar_cli.equation.kinetics import body_residuals
-from planar_cli.equation.system import System
+from planar_cli.equation.system.conditions import Condition
+from planar_cli.equation.system.kinetics import body_residuals
+from planar_cli.equation.system.system import System
+from planar_cli.equation.values.exact import ZERO, Unvalued, Valuation
 from planar_cli.errors import NOWHERE, Diagnostic, Mark, NoSolution, Undecided
 from planar_cli.records import record
 from planar_cli.solve.diagnosis.left_open import LEAVE_OUT

@@ -10,13 +10,13 @@ from collections.abc import Mapping
 
 import sympy as sp
 
-from planar_cli.equation.conditions import Condition
-from planar_cli.equation.exact import CERTAIN, ZERO
-from planar_cli.equation.form import Nonlinear, linear_form
-from planar_cli.equation.plain import longer, simplified
-from planar_cli.equation.system import System
+from planar_cli.equation.algebra.form import Nonlinear, linear_form
+from planar_cli.equation.algebra.plain import longer, simplified
+from planar_cli.equation.system.conditions import Condition
+from planar_cli.equation.system.system import System
+from planar_cli.equation.values.exact import CERTAIN, ZERO
 from planar_cli.principles.base import Single
-from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scene.geometry import Vec
 from planar_cli.solve.instant.candidates import FAR, Candidate, mask_of, priced
 from planar_cli.solve.instant.offers import Offers
 

@@ -11,8 +11,8 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.exact import Valuation
-from planar_cli.equation.ledger import Ledger
+from planar_cli.equation.values.exact import Valuation
+from planar_cli.equation.values.ledger import Ledger
 
 Part = tuple[sp.Expr, sp.Expr]
 """A force, or m a, and its arm."""

@@ -7,11 +7,11 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.exact import ZERO, Valuation
-from planar_cli.equation.motion import Edge
-from planar_cli.equation.system import System
-from planar_cli.problem.geometry import Vec
-from planar_cli.problem.scene import GROUND
+from planar_cli.equation.kinematics.motion import Edge
+from planar_cli.equation.system.system import System
+from planar_cli.equation.values.exact import ZERO, Valuation
+from planar_cli.problem.scene.geometry import Vec
+from planar_cli.problem.scene.scene import GROUND
 from planar_cli.records import record
 from planar_cli.solve.instant.study import Outcome
 

@@ -8,18 +8,18 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.equation.cancelling import cancelled
-from planar_cli.equation.centres import centre_of
-from planar_cli.equation.conditions import Condition
-from planar_cli.equation.expansion import expanded, wide
-from planar_cli.equation.motion import Motion
-from planar_cli.equation.parts_of_accelerations import in_letters
-from planar_cli.equation.plain import longer, rounded_inside, tidy, trigonometric
-from planar_cli.equation.system import System
-from planar_cli.equation.waves import without_waves
+from planar_cli.equation.algebra.cancelling import cancelled
+from planar_cli.equation.algebra.expansion import expanded, wide
+from planar_cli.equation.algebra.plain import longer, rounded_inside, tidy, trigonometric
+from planar_cli.equation.kinematics.motion import Motion
+from planar_cli.equation.scene.centres import centre_of
+from planar_cli.equation.system.conditions import Condition
+from planar_cli.equation.system.system import System
+from planar_cli.equation.values.parts_of_accelerations import in_letters
+from planar_cli.equation.values.waves import without_waves
 from planar_cli.principles.base import Single
-from planar_cli.problem.facts import Wrench
-from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scene.facts import Wrench
+from planar_cli.problem.scene.geometry import Vec
 from planar_cli.records import changing
 from planar_cli.solve.instant.candidates import CONTACT, Candidate, Choice
 from planar_cli.solve.instant.carried_parts import carried_parts

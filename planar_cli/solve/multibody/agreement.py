@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from decimal import Decimal
 
-from planar_cli.equation.exact import ZERO
+from planar_cli.equation.values.exact import ZERO
 from planar_cli.joints.base import Joint
 from planar_cli.records import record
 from planar_cli.solve.multibody.time_jets import ONE

@@ -11,10 +11,10 @@ from dataclasses import field
 from decimal import Decimal
 from typing import Any
 
-from planar_cli.equation.exact import CERTAIN, ZERO, Valuation
-from planar_cli.problem.facts import Joining, Pull, Push, Row, Wrench
-from planar_cli.problem.geometry import Vec
-from planar_cli.problem.scene import GROUND
+from planar_cli.equation.values.exact import CERTAIN, ZERO, Valuation
+from planar_cli.problem.scene.facts import Joining, Pull, Push, Row, Wrench
+from planar_cli.problem.scene.geometry import Vec
+from planar_cli.problem.scene.scene import GROUND
 from planar_cli.records import changing
 from planar_cli.solve.multibody.linear import Row as NumberRow
 

@@ -15,11 +15,11 @@ from itertools import permutations
 
 import sympy as sp
 
-from planar_cli.equation.exact import ZERO, Valuation
-from planar_cli.equation.scene import Scene
-from planar_cli.problem.expression import Name, Quantity, Relation, Side
-from planar_cli.problem.geometry import Vec
-from planar_cli.problem.shapes import own_points
+from planar_cli.equation.scene.scene import Scene
+from planar_cli.equation.values.exact import ZERO, Valuation
+from planar_cli.problem.language.expression import Name, Quantity, Relation, Side
+from planar_cli.problem.scene.geometry import Vec
+from planar_cli.problem.scene.shapes import own_points
 from planar_cli.solve.multibody.agreement import FEW
 from planar_cli.solve.multibody.poses import Place
 from planar_cli.solve.multibody.time_jets import Slopes

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 
-from planar_cli.problem.facts import Push
+from planar_cli.problem.scene.facts import Push
 from planar_cli.solve.multibody.sparse import CONSTANT, Line
 from planar_cli.solve.multibody.time_jets import Slopes
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from decimal import Decimal
 
-from planar_cli.equation.exact import CERTAIN, ONE, ZERO
+from planar_cli.equation.values.exact import CERTAIN, ONE, ZERO
 from planar_cli.records import record
 
 Row = list[Decimal]

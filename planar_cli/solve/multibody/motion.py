@@ -19,15 +19,15 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.exact import CERTAIN, ZERO, Valuation
-from planar_cli.equation.form import Nonlinear, linear_form
-from planar_cli.equation.motion import Motion
-from planar_cli.equation.plain import letters
-from planar_cli.equation.system import System
-from planar_cli.equation.tangent import Tangent, tangent
+from planar_cli.equation.algebra.form import Nonlinear, linear_form
+from planar_cli.equation.algebra.plain import letters
+from planar_cli.equation.kinematics.motion import Motion
+from planar_cli.equation.system.system import System
+from planar_cli.equation.values.exact import CERTAIN, ZERO, Valuation
+from planar_cli.equation.values.tangent import Tangent, tangent
 from planar_cli.joints.base import Joint, distinct
-from planar_cli.problem.facts import Action, Mode, Wrench
-from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scene.facts import Action, Mode, Wrench
+from planar_cli.problem.scene.geometry import Vec
 from planar_cli.records import changing
 from planar_cli.solve.instant.worked import PARTS, Worked
 from planar_cli.solve.multibody.agreement import ENOUGH, FEW, FULL, NOTHING, Agreement, agreeing, short

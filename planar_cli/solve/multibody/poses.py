@@ -12,9 +12,9 @@ from dataclasses import field
 from decimal import Decimal
 from typing import Any
 
-from planar_cli.equation.exact import Valuation
-from planar_cli.problem.facts import Outline, center_of
-from planar_cli.problem.geometry import Vec
+from planar_cli.equation.values.exact import Valuation
+from planar_cli.problem.scene.facts import Outline, center_of
+from planar_cli.problem.scene.geometry import Vec
 from planar_cli.records import changing, record
 from planar_cli.solve.multibody.time_jets import ONE, TWO, ZERO, TimeJet, constant
 

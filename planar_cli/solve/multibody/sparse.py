@@ -9,7 +9,7 @@ from collections.abc import Callable
 from dataclasses import field
 from decimal import Decimal
 
-from planar_cli.equation.exact import CERTAIN, ZERO
+from planar_cli.equation.values.exact import CERTAIN, ZERO
 from planar_cli.records import changing
 
 CONSTANT = -1

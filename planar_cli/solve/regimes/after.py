@@ -8,11 +8,11 @@ from __future__ import annotations
 
 from collections.abc import Set
 
-from planar_cli.equation.system import mode_of
-from planar_cli.problem.expression import Quantity, Relation
-from planar_cli.problem.formulas import formulas
-from planar_cli.problem.scene import Problem
-from planar_cli.problem.walk import Tree, walk
+from planar_cli.equation.system.system import mode_of
+from planar_cli.problem.checks.formulas import formulas
+from planar_cli.problem.language.expression import Quantity, Relation
+from planar_cli.problem.language.walk import Tree, walk
+from planar_cli.problem.scene.scene import Problem
 
 CONTINUOUS = frozenset(("x", "y", "r", "v", "theta", "omega", "KE", "PE", "momentum", "H", "mass", "I"))
 

@@ -12,9 +12,9 @@ import sympy as sp
 
 from planar_cli.calculus.antiderivative import definite
 from planar_cli.calculus.spans import bound
-from planar_cli.equation.displacement import Coordinate
-from planar_cli.equation.exact import Valuation
-from planar_cli.equation.plain import letters, simplified
+from planar_cli.equation.algebra.plain import letters, simplified
+from planar_cli.equation.scene.displacement import Coordinate
+from planar_cli.equation.values.exact import Valuation
 from planar_cli.solve.regimes.equations import Equation
 from planar_cli.solve.regimes.regime import Regime
 from planar_cli.solve.regimes.timeline import Stop

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from planar_cli.equation.conditions import ACCELERATION, ORDERS
-from planar_cli.problem.expression import Name, Quantity
-from planar_cli.problem.outermost import ENERGIES
-from planar_cli.problem.scene import Find
-from planar_cli.problem.walk import walk
+from planar_cli.equation.system.conditions import ACCELERATION, ORDERS
+from planar_cli.problem.language.expression import Name, Quantity
+from planar_cli.problem.language.outermost import ENERGIES
+from planar_cli.problem.language.walk import walk
+from planar_cli.problem.scene.scene import Find
 
 
 def asks_kinetics(finds: Iterable[Find]) -> bool:

@@ -11,9 +11,9 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.exact import Valuation
-from planar_cli.equation.ledger import Kind, Ledger, Role
-from planar_cli.equation.plain import letters, simplified
+from planar_cli.equation.algebra.plain import letters, simplified
+from planar_cli.equation.values.exact import Valuation
+from planar_cli.equation.values.ledger import Kind, Ledger, Role
 from planar_cli.records import record
 from planar_cli.solve.law import Law
 from planar_cli.solve.regimes.equations import Laws, Link

@@ -13,22 +13,22 @@ from typing import Any
 import mpmath
 import sympy as sp
 
-from planar_cli.equation.curves import bend_at, off_curve
-from planar_cli.equation.displacement import Coordinate, Displacement
-from planar_cli.equation.exact import DIGITS, Valuation
-from planar_cli.equation.ledger import Kind
-from planar_cli.equation.plain import derivative, simplified
-from planar_cli.equation.pose import HERE, Pose
-from planar_cli.equation.sample import anywhere
-from planar_cli.equation.scene import Scene
-from planar_cli.equation.turning import written_angle
+from planar_cli.equation.algebra.plain import derivative, simplified
+from planar_cli.equation.scene.curves import bend_at, off_curve
+from planar_cli.equation.scene.displacement import Coordinate, Displacement
+from planar_cli.equation.scene.pose import HERE, Pose
+from planar_cli.equation.scene.scene import Scene
+from planar_cli.equation.scene.turning import written_angle
+from planar_cli.equation.values.exact import DIGITS, Valuation
+from planar_cli.equation.values.ledger import Kind
+from planar_cli.equation.values.sample import anywhere
 from planar_cli.errors import NotReached
 from planar_cli.joints.base import Joint
 from planar_cli.loads.base import Load
-from planar_cli.problem.facts import Mode, Outline
-from planar_cli.problem.geometry import Vec
-from planar_cli.problem.ordinary import Scales
-from planar_cli.problem.scene import GROUND, Curve, Surface
+from planar_cli.problem.scene.facts import Mode, Outline
+from planar_cli.problem.scene.geometry import Vec
+from planar_cli.problem.scene.ordinary import Scales
+from planar_cli.problem.scene.scene import GROUND, Curve, Surface
 from planar_cli.records import changing, record
 from planar_cli.solve.instant.instant import Instant
 from planar_cli.solve.multibody.linear import solve

@@ -8,13 +8,13 @@ from __future__ import annotations
 
 import sympy as sp
 
-from planar_cli.equation.evaluate import Evaluator
-from planar_cli.equation.jets import Jet
-from planar_cli.equation.motion import Motion, Twist
-from planar_cli.equation.plain import simplified
-from planar_cli.equation.quantities import Quantities
-from planar_cli.problem.expression import Quantity
-from planar_cli.problem.geometry import Vec
+from planar_cli.equation.algebra.plain import simplified
+from planar_cli.equation.kinematics.motion import Motion, Twist
+from planar_cli.equation.kinematics.quantities import Quantities
+from planar_cli.equation.values.evaluate import Evaluator
+from planar_cli.equation.values.jets import Jet
+from planar_cli.problem.language.expression import Quantity
+from planar_cli.problem.scene.geometry import Vec
 from planar_cli.solve.regimes.regime import Regime
 
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import sympy as sp
 
-from planar_cli.equation.plain import by_name, parts_of
-from planar_cli.equation.scales import SLACK, Here
+from planar_cli.equation.algebra.plain import by_name, parts_of
+from planar_cli.equation.values.scales import SLACK, Here
 from planar_cli.solve.regimes.regime import Regime
 
 

@@ -12,12 +12,12 @@ from itertools import pairwise
 
 import sympy as sp
 
-from planar_cli.equation.displacement import Displacement
-from planar_cli.equation.exact import Valuation
-from planar_cli.equation.setup import has_quantity
+from planar_cli.equation.scene.displacement import Displacement
+from planar_cli.equation.system.setup import has_quantity
+from planar_cli.equation.values.exact import Valuation
 from planar_cli.errors import PlanarError
-from planar_cli.problem.expression import Name, Relation, Side
-from planar_cli.problem.keys import Table, keys_of
+from planar_cli.problem.language.expression import Name, Relation, Side
+from planar_cli.problem.scene.keys import Table, keys_of
 from planar_cli.solve.instant.instant import Instant
 from planar_cli.units import LENGTH
 

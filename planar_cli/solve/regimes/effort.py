@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from planar_cli.equation.plain import letters
+from planar_cli.equation.algebra.plain import letters
 from planar_cli.solve.regimes.asked_kinetics import asks_kinetics
 from planar_cli.solve.regimes.regime import Regime
 from planar_cli.solve.regimes.works_of_parts import works_of_parts

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scene.geometry import Vec
 from planar_cli.solve.regimes.general import General
 
 

@@ -14,13 +14,13 @@ import sympy as sp
 from planar_cli.calculus.laws import BY_FACTOR, Moment, Span, relations
 from planar_cli.calculus.limits import limit
 from planar_cli.calculus.vibrations import in_letters
-from planar_cli.equation.displacement import Coordinate
-from planar_cli.equation.exact import Valuation
-from planar_cli.equation.expansion import expanded
-from planar_cli.equation.ledger import Kind
-from planar_cli.equation.plain import derivative, identically_zero, letters, longer, replaced, simplified
+from planar_cli.equation.algebra.expansion import expanded
+from planar_cli.equation.algebra.plain import derivative, identically_zero, letters, longer, replaced, simplified
+from planar_cli.equation.scene.displacement import Coordinate
+from planar_cli.equation.values.exact import Valuation
+from planar_cli.equation.values.ledger import Kind
 from planar_cli.errors import NOWHERE, Mark
-from planar_cli.problem.expression import Name
+from planar_cli.problem.language.expression import Name
 from planar_cli.records import record
 from planar_cli.solve.law import IN_THE_END, Law
 from planar_cli.solve.regimes.constraints import fixed_by, start_of

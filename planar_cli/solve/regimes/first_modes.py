@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 
 from planar_cli.errors import Mark
-from planar_cli.problem.order_of_states import as_listed, stands_beside
-from planar_cli.problem.scene import Problem, State
+from planar_cli.problem.scene.order_of_states import as_listed, stands_beside
+from planar_cli.problem.scene.scene import Problem, State
 from planar_cli.solve.regimes.after import asked_after
 from planar_cli.solve.regimes.mode_sequence import (
     ModeSequence,

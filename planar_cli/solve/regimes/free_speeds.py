@@ -7,8 +7,8 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.displacement import Displacement
-from planar_cli.equation.exact import ZERO
+from planar_cli.equation.scene.displacement import Displacement
+from planar_cli.equation.values.exact import ZERO
 from planar_cli.solve.instant.study import Velocities
 
 NOTHING = Decimal("1e-30")

@@ -9,9 +9,9 @@ from decimal import Decimal
 import sympy as sp
 
 from planar_cli.calculus.laws import Moment, relations
-from planar_cli.equation.displacement import Coordinate
-from planar_cli.equation.exact import PI, Unvalued, Valuation
-from planar_cli.equation.plain import identically_zero, simplified
+from planar_cli.equation.algebra.plain import identically_zero, simplified
+from planar_cli.equation.scene.displacement import Coordinate
+from planar_cli.equation.values.exact import PI, Unvalued, Valuation
 from planar_cli.errors import NoValue, Undecided
 from planar_cli.records import changing, record
 from planar_cli.solve.instant.roots import real_roots

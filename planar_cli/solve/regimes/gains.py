@@ -10,8 +10,8 @@ from collections.abc import Iterator
 
 import sympy as sp
 
-from planar_cli.equation.expansion import expanded
-from planar_cli.equation.plain import derivative, longer, simplified
+from planar_cli.equation.algebra.expansion import expanded
+from planar_cli.equation.algebra.plain import derivative, longer, simplified
 from planar_cli.solve.regimes.potential import LONG, potential
 from planar_cli.solve.regimes.regime import Regime
 

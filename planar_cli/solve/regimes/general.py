@@ -11,17 +11,17 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.equation.displaced import Displacer
-from planar_cli.equation.displacement import Coordinate, CoordinateNames, Displacement
-from planar_cli.equation.exact import Valuation
-from planar_cli.equation.motion import Tree
-from planar_cli.equation.quantities import Quantities
-from planar_cli.equation.sample import anywhere
-from planar_cli.equation.setup import Course, Setup
-from planar_cli.equation.system import Statements
+from planar_cli.equation.kinematics.displaced import Displacer
+from planar_cli.equation.kinematics.motion import Tree
+from planar_cli.equation.kinematics.quantities import Quantities
+from planar_cli.equation.scene.displacement import Coordinate, CoordinateNames, Displacement
+from planar_cli.equation.system.setup import Course, Setup
+from planar_cli.equation.system.system import Statements
+from planar_cli.equation.values.exact import Valuation
+from planar_cli.equation.values.sample import anywhere
 from planar_cli.errors import NoSolution, Undecided
-from planar_cli.problem.ordinary import Scales
-from planar_cli.problem.scene import Problem
+from planar_cli.problem.scene.ordinary import Scales
+from planar_cli.problem.scene.scene import Problem
 from planar_cli.records import changing
 from planar_cli.solve.diagnosis.clash import OffBalance, off_balance
 from planar_cli.solve.diagnosis.placed import held_by_too_little, placed_by_nothing

@@ -17,8 +17,8 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.exact import PI
-from planar_cli.equation.ledger import Ledger
+from planar_cli.equation.values.exact import PI
+from planar_cli.equation.values.ledger import Ledger
 from planar_cli.records import record
 from planar_cli.solve.law import ANOMALY
 from planar_cli.solve.regimes.equations import Equation

@@ -9,8 +9,8 @@ from itertools import combinations
 
 import sympy as sp
 
-from planar_cli.equation.expansion import expanded
-from planar_cli.equation.plain import simplified
+from planar_cli.equation.algebra.expansion import expanded
+from planar_cli.equation.algebra.plain import simplified
 
 
 def with_kept_radius(

@@ -11,16 +11,16 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
-from planar_cli.equation.meeting import meeting_of, partner_of
-from planar_cli.equation.scene import Scene
+from planar_cli.equation.scene.meeting import meeting_of, partner_of
+from planar_cli.equation.scene.scene import Scene
 from planar_cli.joints.base import Joint
-from planar_cli.problem.expression import JustAfter, Side
-from planar_cli.problem.facts import Facts, Joining, Law, Mode, Path, Push, Row, Test, opposed, relative
-from planar_cli.problem.geometry import Vec
-from planar_cli.problem.headings import heading
-from planar_cli.problem.known_values import KnownValues
-from planar_cli.problem.residuals import Residual
-from planar_cli.problem.scene import GROUND, Line, Particle, Problem, State
+from planar_cli.problem.language.expression import JustAfter, Side
+from planar_cli.problem.scene.facts import Facts, Joining, Law, Mode, Path, Push, Row, Test, opposed, relative
+from planar_cli.problem.scene.geometry import Vec
+from planar_cli.problem.scene.headings import heading
+from planar_cli.problem.scene.known_values import KnownValues
+from planar_cli.problem.scene.residuals import Residual
+from planar_cli.problem.scene.scene import GROUND, Line, Particle, Problem, State
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -8,10 +8,10 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.equation.displacement import CoordinateNames
-from planar_cli.equation.system import System
+from planar_cli.equation.scene.displacement import CoordinateNames
+from planar_cli.equation.system.system import System
 from planar_cli.principles.base import Family, Premise, Principle, Single
-from planar_cli.problem.scene import Problem
+from planar_cli.problem.scene.scene import Problem
 from planar_cli.records import record
 from planar_cli.solve.principled import position_of
 from planar_cli.solve.regimes.general import General, drawn_instant, make_general

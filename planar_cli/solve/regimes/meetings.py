@@ -9,7 +9,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 import sympy as sp
 
-from planar_cli.equation.plain import by_name, derivative, letters, simplified
+from planar_cli.equation.algebra.plain import by_name, derivative, letters, simplified
 from planar_cli.records import record
 from planar_cli.solve.law import RELATIVE, Law
 from planar_cli.solve.regimes.equations import Equation, Laws

@@ -5,9 +5,9 @@ The motion tells it: it is where an assumption ends and the modes that follow ar
 
 from __future__ import annotations
 
-from planar_cli.equation.system import mode_of
-from planar_cli.problem.expression import Relation
-from planar_cli.problem.scene import Problem, State
+from planar_cli.equation.system.system import mode_of
+from planar_cli.problem.language.expression import Relation
+from planar_cli.problem.scene.scene import Problem, State
 
 
 def stated_modes(state: State) -> dict[str, str]:

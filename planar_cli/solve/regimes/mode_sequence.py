@@ -8,13 +8,13 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.equation.displacement import CoordinateNames
-from planar_cli.equation.setup import has_quantity, names_in
+from planar_cli.equation.scene.displacement import CoordinateNames
+from planar_cli.equation.system.setup import has_quantity, names_in
 from planar_cli.joints.base import Joint
-from planar_cli.problem.expression import JustAfter, Name, Relation, Statement
-from planar_cli.problem.held_masses import Held, held_from
-from planar_cli.problem.order_of_states import as_listed
-from planar_cli.problem.scene import Problem, State
+from planar_cli.problem.checks.held_masses import Held, held_from
+from planar_cli.problem.language.expression import JustAfter, Name, Relation, Statement
+from planar_cli.problem.scene.order_of_states import as_listed
+from planar_cli.problem.scene.scene import Problem, State
 from planar_cli.records import changing, record
 from planar_cli.solve.instant.instant import Instant
 from planar_cli.solve.regimes.general import General, drawn_instant, make_general

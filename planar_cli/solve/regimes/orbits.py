@@ -14,9 +14,9 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.exact import PI, Unvalued, Valuation
-from planar_cli.equation.ledger import Ledger
-from planar_cli.equation.plain import letters, longer, simplified
+from planar_cli.equation.algebra.plain import letters, longer, simplified
+from planar_cli.equation.values.exact import PI, Unvalued, Valuation
+from planar_cli.equation.values.ledger import Ledger
 from planar_cli.errors import NoValue
 from planar_cli.records import record
 from planar_cli.solve.regimes.equations import Equation

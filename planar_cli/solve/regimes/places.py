@@ -7,14 +7,14 @@ from dataclasses import replace
 
 import sympy as sp
 
-from planar_cli.equation.conditions import POSITION, order, vector_or_jet
-from planar_cli.equation.curves import direction_of
-from planar_cli.equation.plain import simplified
-from planar_cli.equation.quantities import Quantities
-from planar_cli.equation.setup import Setup
+from planar_cli.equation.algebra.plain import simplified
+from planar_cli.equation.kinematics.quantities import Quantities
+from planar_cli.equation.scene.curves import direction_of
+from planar_cli.equation.system.conditions import POSITION, order, vector_or_jet
+from planar_cli.equation.system.setup import Setup
 from planar_cli.errors import Diagnostic, NoSolution
-from planar_cli.problem.expression import Part, Quantity, Relation
-from planar_cli.problem.geometry import Vec
+from planar_cli.problem.language.expression import Part, Quantity, Relation
+from planar_cli.problem.scene.geometry import Vec
 from planar_cli.solve.regimes.constraints import Constraint
 
 

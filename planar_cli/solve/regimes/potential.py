@@ -7,9 +7,9 @@ from functools import lru_cache
 import sympy as sp
 
 from planar_cli.calculus.antiderivative import antiderivative
-from planar_cli.equation.expansion import expanded
-from planar_cli.equation.factoring import factored
-from planar_cli.equation.plain import derivative, longer, simplified
+from planar_cli.equation.algebra.expansion import expanded
+from planar_cli.equation.algebra.factoring import factored
+from planar_cli.equation.algebra.plain import derivative, longer, simplified
 from planar_cli.solve.regimes.regime import Regime
 
 LONG = 400

@@ -13,15 +13,15 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.displacement import Coordinate
-from planar_cli.equation.exact import Unvalued, Valuation
-from planar_cli.equation.machine import compiled
-from planar_cli.equation.one_way import one_way
-from planar_cli.equation.plain import derivative, letters, longer, simplified
-from planar_cli.equation.sample import anywhere
-from planar_cli.equation.trigonometry import put_together
+from planar_cli.equation.algebra.machine import compiled
+from planar_cli.equation.algebra.plain import derivative, letters, longer, simplified
+from planar_cli.equation.algebra.trigonometry import put_together
+from planar_cli.equation.scene.displacement import Coordinate
+from planar_cli.equation.values.exact import Unvalued, Valuation
+from planar_cli.equation.values.one_way import one_way
+from planar_cli.equation.values.sample import anywhere
 from planar_cli.errors import NoValue
-from planar_cli.problem.facts import Test
+from planar_cli.problem.scene.facts import Test
 from planar_cli.records import changing, record
 from planar_cli.solve.instant.locked import LOCKED
 from planar_cli.solve.regimes.energy import balance_of

@@ -9,12 +9,12 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.equation.exact import Valuation
-from planar_cli.equation.ledger import Ledger
-from planar_cli.equation.motion import Edge
-from planar_cli.equation.scene import Scene
-from planar_cli.problem.ordinary import Scales
-from planar_cli.problem.scene import Problem, State
+from planar_cli.equation.kinematics.motion import Edge
+from planar_cli.equation.scene.scene import Scene
+from planar_cli.equation.values.exact import Valuation
+from planar_cli.equation.values.ledger import Ledger
+from planar_cli.problem.scene.ordinary import Scales
+from planar_cli.problem.scene.scene import Problem, State
 from planar_cli.records import record
 from planar_cli.solve.regimes.after import asked_after
 from planar_cli.solve.regimes.mode_dates import is_dated_by_mode, stated_modes

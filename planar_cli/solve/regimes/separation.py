@@ -8,8 +8,8 @@ from __future__ import annotations
 
 import sympy as sp
 
-from planar_cli.equation.displacement import Coordinate, Displacement
-from planar_cli.problem.facts import Mode
+from planar_cli.equation.scene.displacement import Coordinate, Displacement
+from planar_cli.problem.scene.facts import Mode
 from planar_cli.records import record
 from planar_cli.solve.instant.instant import Instant
 from planar_cli.solve.regimes.constraints import kept_while_held

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import sympy as sp
 
-from planar_cli.equation.motion import Edge, Motion, Tree
-from planar_cli.equation.scene import Scene
-from planar_cli.problem.geometry import Vec
+from planar_cli.equation.kinematics.motion import Edge, Motion, Tree
+from planar_cli.equation.scene.scene import Scene
+from planar_cli.problem.scene.geometry import Vec
 
 
 def edges_of(tree: Tree) -> dict[sp.Symbol, Edge]:

@@ -6,8 +6,8 @@ from collections.abc import Iterable, Iterator, Mapping
 
 import sympy as sp
 
-from planar_cli.equation.exact import Valuation
-from planar_cli.equation.plain import derivative, identically_zero, replaced, simplified
+from planar_cli.equation.algebra.plain import derivative, identically_zero, replaced, simplified
+from planar_cli.equation.values.exact import Valuation
 from planar_cli.solve.regimes.equations import DATA, Equation, Laws
 from planar_cli.solve.regimes.regime import Regime
 from planar_cli.solve.regimes.timeline import Stop

@@ -7,14 +7,14 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.conditions import POSITION, order
-from planar_cli.equation.displacement import Coordinate
-from planar_cli.equation.exact import Valuation
-from planar_cli.equation.quantities import Quantities
+from planar_cli.equation.kinematics.quantities import Quantities
+from planar_cli.equation.scene.displacement import Coordinate
+from planar_cli.equation.system.conditions import POSITION, order
+from planar_cli.equation.values.exact import Valuation
 from planar_cli.errors import NotReached, NoValue, PlanarError
-from planar_cli.problem.expression import Name, Relation
-from planar_cli.problem.scene import State
-from planar_cli.problem.walk import names_of_states, walk
+from planar_cli.problem.language.expression import Name, Relation
+from planar_cli.problem.language.walk import names_of_states, walk
+from planar_cli.problem.scene.scene import State
 from planar_cli.solve.regimes.constraints import Constraint, project
 from planar_cli.solve.regimes.places import place_residuals
 

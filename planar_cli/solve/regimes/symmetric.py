@@ -11,8 +11,8 @@ from collections.abc import Iterator, Mapping
 
 import sympy as sp
 
-from planar_cli.equation.displacement import Coordinate
-from planar_cli.equation.exact import Unvalued
+from planar_cli.equation.scene.displacement import Coordinate
+from planar_cli.equation.values.exact import Unvalued
 from planar_cli.errors import NoValue
 from planar_cli.solve.regimes.equations import Equation
 from planar_cli.solve.regimes.regime import Regime

@@ -8,18 +8,18 @@ from typing import Any, TypeGuard
 
 import sympy as sp
 
-from planar_cli.equation.conditions import gap, vector_or_jet
-from planar_cli.equation.evaluate import Evaluator
-from planar_cli.equation.jets import Jet, constant
-from planar_cli.equation.ledger import Kind, Ledger, Role
-from planar_cli.equation.plain import simplified
-from planar_cli.equation.polar import vector_equations
-from planar_cli.equation.quantities import Quantities
-from planar_cli.equation.system import mode_of
+from planar_cli.equation.algebra.plain import simplified
+from planar_cli.equation.kinematics.polar import vector_equations
+from planar_cli.equation.kinematics.quantities import Quantities
+from planar_cli.equation.system.conditions import gap, vector_or_jet
+from planar_cli.equation.system.system import mode_of
+from planar_cli.equation.values.evaluate import Evaluator
+from planar_cli.equation.values.jets import Jet, constant
+from planar_cli.equation.values.ledger import Kind, Ledger, Role
 from planar_cli.errors import NOWHERE, Mark, refuse
-from planar_cli.problem.check_dimensions import about
-from planar_cli.problem.ended import told_before
-from planar_cli.problem.expression import (
+from planar_cli.problem.checks.check_dimensions import about
+from planar_cli.problem.checks.scope import Scope
+from planar_cli.problem.language.expression import (
     AtRest,
     Equilibrium,
     Extreme,
@@ -30,10 +30,10 @@ from planar_cli.problem.expression import (
     Side,
     Statement,
 )
-from planar_cli.problem.geometry import Vec
-from planar_cli.problem.polar import VectorStatement, grouped
-from planar_cli.problem.scene import Problem
-from planar_cli.problem.scope import Scope
+from planar_cli.problem.scene.ended import told_before
+from planar_cli.problem.scene.geometry import Vec
+from planar_cli.problem.scene.polar import VectorStatement, grouped
+from planar_cli.problem.scene.scene import Problem
 from planar_cli.records import changing, record
 from planar_cli.solve.regimes.after import changes_at_once
 from planar_cli.solve.regimes.regime import Regime

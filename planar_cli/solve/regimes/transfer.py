@@ -10,9 +10,9 @@ from collections.abc import Iterator, Mapping, Sequence
 
 import sympy as sp
 
-from planar_cli.equation.displacement import Coordinate
-from planar_cli.equation.plain import simplified
-from planar_cli.problem.geometry import Vec
+from planar_cli.equation.algebra.plain import simplified
+from planar_cli.equation.scene.displacement import Coordinate
+from planar_cli.problem.scene.geometry import Vec
 from planar_cli.solve.regimes.equations import Equation
 from planar_cli.solve.regimes.general import General
 from planar_cli.solve.regimes.regime import Regime

@@ -9,10 +9,10 @@ import sympy as sp
 
 from planar_cli.calculus.forcing import split
 from planar_cli.calculus.vibrations import Vibration
-from planar_cli.equation.exact import Valuation
-from planar_cli.equation.expansion import expanded
-from planar_cli.equation.ledger import Ledger
-from planar_cli.equation.plain import derivative, letters, longer, simplified
+from planar_cli.equation.algebra.expansion import expanded
+from planar_cli.equation.algebra.plain import derivative, letters, longer, simplified
+from planar_cli.equation.values.exact import Valuation
+from planar_cli.equation.values.ledger import Ledger
 from planar_cli.records import record
 from planar_cli.solve.law import Law
 from planar_cli.solve.regimes.equations import Laws

@@ -14,11 +14,11 @@ from collections.abc import Iterator
 
 import sympy as sp
 
-from planar_cli.equation.expansion import expanded
-from planar_cli.equation.plain import letters, simplified
-from planar_cli.problem.expression import Quantity
-from planar_cli.problem.facts import Action, Push
-from planar_cli.problem.scene import GROUND, Find
+from planar_cli.equation.algebra.expansion import expanded
+from planar_cli.equation.algebra.plain import letters, simplified
+from planar_cli.problem.language.expression import Quantity
+from planar_cli.problem.scene.facts import Action, Push
+from planar_cli.problem.scene.scene import GROUND, Find
 from planar_cli.records import record
 from planar_cli.solve.regimes.asked_kinetics import asks_kinetics
 from planar_cli.solve.regimes.regime import Regime

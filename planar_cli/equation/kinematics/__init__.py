@@ -1,0 +1,1 @@
+"""Velocities and accelerations of all bodies, and the quantities made of them."""

@@ -1,0 +1,1 @@
+"""The scene at one instant: places, bodies, outlines, and where things meet."""

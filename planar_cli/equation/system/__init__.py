@@ -1,0 +1,1 @@
+"""All equations of one instant: conditions, pushes, loads."""

@@ -1,0 +1,1 @@
+"""The names of a problem as symbols, and the exact values of expressions in them."""

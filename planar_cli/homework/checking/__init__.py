@@ -1,0 +1,1 @@
+"""Stated answers compared with what a solution found."""

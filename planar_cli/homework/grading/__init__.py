@@ -1,0 +1,1 @@
+"""Verdicts and scores: wrong values carried on, and the mistakes that explain them."""

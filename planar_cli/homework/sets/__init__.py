@@ -1,0 +1,1 @@
+"""Homework sets and their rules as plain data, and what is handed out."""

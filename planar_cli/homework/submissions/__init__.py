@@ -1,0 +1,1 @@
+"""Submissions read from files, and graded in batches."""

@@ -1,0 +1,1 @@
+"""What a student typed, read: numbers, units, directions, formulas."""

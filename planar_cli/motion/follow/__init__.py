@@ -1,0 +1,1 @@
+"""A motion followed through its changes of mode, its impacts and its states."""

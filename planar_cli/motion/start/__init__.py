@@ -1,0 +1,1 @@
+"""The state from which a motion begins, also at an equilibrium."""

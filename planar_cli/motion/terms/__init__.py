@@ -1,0 +1,1 @@
+"""Numbers that vary, as terms and as generated code, and the linear algebra on them."""

@@ -1,0 +1,1 @@
+"""A hybrid automaton, one regime of it integrated, and what a motion was."""

@@ -1,0 +1,1 @@
+"""What is wrong with a problem that has been read."""

@@ -1,0 +1,1 @@
+"""The sections of a file, read one by one, and the JSON Schema of them."""

@@ -1,0 +1,1 @@
+"""What is asked: of states of a motion, in closed form, and how an answer is put."""

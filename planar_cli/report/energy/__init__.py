@@ -1,0 +1,1 @@
+"""Balances of energy: T of every body, U of every force."""

@@ -1,0 +1,1 @@
+"""What a file gives and states, as the page says it."""

@@ -1,0 +1,1 @@
+"""Formulas and equations with the numbers put in."""

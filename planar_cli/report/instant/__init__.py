@@ -1,0 +1,1 @@
+"""One instant told in its steps, with what is asked of it."""

@@ -1,0 +1,1 @@
+"""Places, velocities and accelerations: vector equations, and the components that are taken."""

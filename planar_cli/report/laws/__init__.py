@@ -1,0 +1,1 @@
+"""Laws of coordinates over time, and their integrals."""

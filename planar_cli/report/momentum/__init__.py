@@ -1,0 +1,1 @@
+"""Balances of momentum and angular momentum, and blows."""

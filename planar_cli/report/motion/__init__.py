@@ -1,0 +1,1 @@
+"""A motion told from state to state."""

@@ -1,0 +1,1 @@
+"""Oscillations: about an equilibrium, free and driven, and simple harmonic motion."""

@@ -1,0 +1,1 @@
+"""The equations of a part as its page tells them, before any of it is written."""

@@ -1,0 +1,1 @@
+"""Which of the branches of a motion happens, and what it comes to over its spans."""

@@ -1,0 +1,1 @@
+"""What principles and the file state between the states of a motion."""
