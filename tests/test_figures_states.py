@@ -120,7 +120,7 @@ def test_a_throw_has_its_way_its_velocity_its_heights_and_the_ground() -> None:
     marks = found[0].panels[0].marks
     assert sum(isinstance(m, Polyline) and m.style == "way" for m in marks) == 3
     assert [m.words for m in marks if isinstance(m, Arrow)] == [line(Name("v_0"))]
-    assert len([m for m in marks if isinstance(m, Dimension)]) == 2
+    assert [m.words for m in marks if isinstance(m, Dimension)] == [line(Name(n)) for n in ("h", "d", "x_ground")]
     assert len([m for m in marks if isinstance(m, Hatched)]) == 1
 
 

@@ -75,7 +75,7 @@ def test_one_body_in_equilibrium_and_one_equation_without_the_weight() -> None:
     assert alone == pytest.approx(80 / 32.2 * float(a[0]))
 
 
-def test_equations_that_give_other_numbers_say_nothing() -> None:
+def test_several_instants_have_numbers_of_their_own() -> None:
     # Three instants of one linkage call its speed by one name.
     worked = read_and_solve(str(PROBLEMS / "kinematics" / "quick-return-stroke.yaml"), "p")
     (part,) = worked.parts
@@ -84,4 +84,4 @@ def test_equations_that_give_other_numbers_say_nothing() -> None:
     for name in part.replay.equations.asked:
         due = [float(v) for f in part.solution.found if f.name == name for v in f.values or ()]
         assert [float(n[0]) for n in run.asked(name)] == pytest.approx(due)
-    assert "returning" not in part.replay.equations.asked
+    assert {"cutting", "returning"} <= part.replay.equations.asked.keys()

@@ -10,7 +10,7 @@ from planar_cli.problem.nodes.pyyaml import compiled_when_used
 
 LOADED = """
 import re
-from planar_cli.problem import nodes
+from planar_cli.problem.nodes import nodes
 import yaml
 assert type(yaml.reader.Reader.NON_PRINTABLE).__name__ == "_Pattern" and re.compile("a").match("a")
 for loader in (yaml.SafeLoader, yaml.CSafeLoader):

@@ -38,4 +38,4 @@ def test_the_lowest_place_of_a_bob() -> None:
 def test_the_speed_of_what_moves_along_one_line_is_no_root() -> None:
     """Below its pivot the bar's centre moves along x, as the pivot does."""
     page = page_of_file("bar-that-swings-down-from-a-rolling-disk")
-    assert "v_G,bar,2 = -1/2 l ω_bar,2 - R ω_disk,2" in page
+    assert "v_G,bar,2 = 1/2 l ω_bar,2 + R ω_disk,2" in page

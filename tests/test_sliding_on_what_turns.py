@@ -12,7 +12,7 @@ FILE = ROOT / "problems" / "friction" / "block-lowered-on-a-turning-table.yaml"
 
 def test_the_sense_of_sliding_is_told_and_not_a_quotient() -> None:
     page = page_of_file("block-lowered-on-a-turning-table")
-    assert "(1) ↺ ΣM_O: μ m g R = m R² α_string" in page
+    assert "(1) ↖ ΣF: μ m g = m R α_string" in page
     assert "It stops sliding at t_2 = 3.058 s (state 2): w - ω_string = 0." in page
     assert "t_2 = w/α_string = 18/5.886 = 3.058 s" in page
 

@@ -13,7 +13,7 @@ from planar_cli.homework.grading.changed_data import changed_data
 from planar_cli.homework.grading.what_mistakes_give import is_clearly_wrong
 from planar_cli.homework.mistakes.base import Mistake
 from planar_cli.homework.sets.paper import Expected, Mistaken
-from planar_cli.homework.sets.powers_of_ten import LOOK
+from planar_cli.homework.sets.powers_of_ten import is_of_a_datum
 from planar_cli.homework.variants.literal_data import with_names
 from planar_cli.homework.variants.worked_problem import Part, WorkedProblem
 from planar_cli.problem.nodes.reading import listed
@@ -135,7 +135,7 @@ def _with_other_data(
     """
     values, earlier = known
     for name, said, data in changed_data(own):
-        if said.endswith(LOOK) and not powers:
+        if is_of_a_datum(said) and not powers:
             continue
         changed = _problem(problem, part, {**values, **data})
         if changed is not None:

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from planar_cli.homework.sets.paper import Expected, Graded, Mistaken
-from planar_cli.homework.sets.powers_of_ten import LOOK, OFF_BY_TEN, POWER_OF_TEN, POWERS
+from planar_cli.homework.sets.powers_of_ten import LOOK, OFF_BY_TEN, POWER_OF_TEN, POWERS, is_of_a_datum
 from planar_cli.homework.typed.typed import Typed
 from planar_cli.homework.typed.unreadable import Unreadable
 
@@ -67,7 +67,7 @@ def _told(one: Graded, fits: Sequence[Mistaken]) -> Graded:
     # Mistakes that come to the same number by the same words are one.
     names = tuple(dict.fromkeys(m.name for m in fits))
     feedback = fits[0].feedback if len(names) == 1 else ""
-    if feedback.endswith(LOOK) and len({m.feedback for m in fits}) > 1:
+    if is_of_a_datum(feedback) and len({m.feedback for m in fits}) > 1:
         # Ten times the mass, or a tenth of the stiffness.
         feedback = f"a given value was put in off by a power of ten: {LOOK}"
     return replace(one, mistakes=names, feedback=feedback)

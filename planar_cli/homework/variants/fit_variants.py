@@ -13,7 +13,7 @@ import numpy as np
 from planar_cli.errors import Mark, PlanarError
 from planar_cli.homework.mistakes.base import NOT_CARRIED_OUT
 from planar_cli.homework.sets.paper import Expected
-from planar_cli.homework.sets.powers_of_ten import LOOK
+from planar_cli.homework.sets.powers_of_ten import is_of_a_datum
 from planar_cli.homework.variants.course import course_of
 from planar_cli.homework.variants.given_letters import with_given
 from planar_cli.homework.variants.same_formula import formula_changes_sign
@@ -139,7 +139,7 @@ def _wrong(problem: WorkedProblem) -> dict[tuple[str, str, str], tuple[float, ..
     """
     found = {}
     for name, model in models_of(problem):
-        if model.model.feedback.endswith(LOOK):
+        if is_of_a_datum(model.model.feedback):
             continue
         try:
             run = Carried(problem, {}, model)

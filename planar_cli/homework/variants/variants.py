@@ -18,7 +18,7 @@ import numpy as np
 
 from planar_cli.homework.mistakes.base import NOT_CARRIED_OUT
 from planar_cli.homework.sets.paper import Expected
-from planar_cli.homework.sets.powers_of_ten import LOOK
+from planar_cli.homework.sets.powers_of_ten import is_of_a_datum
 from planar_cli.homework.variants.course import course_of
 from planar_cli.homework.variants.fit_variants import (
     ILL,
@@ -251,7 +251,7 @@ def _too_close(
 ) -> Iterator[tuple[str, str, np.ndarray]]:
     """Where mistakes that give a clearly wrong number with the values of the file do not: which, of which find."""
     for name, model in models_of(problem):
-        if model.model.feedback.endswith(LOOK):
+        if is_of_a_datum(model.model.feedback):
             # With a value of little influence elsewhere than its decimal point no combination is spoilt.
             continue
         try:

@@ -60,7 +60,9 @@ def _quantity(word: str, thing: str, part: str | None, state: str | None, names:
         return line("the work of all forces", behind)
     if word in WORDS and part not in ("t", "n"):
         before = PARTS.get(part or "", f"the {part} component of " if part in ("x", "y") else "")
-        return line(before, *_way(part, names), WORDS[word].format(thing.replace("/", " on ")), behind)
+        return line(
+            *([before] if before else ()), *_way(part, names), WORDS[word].format(thing.replace("/", " on ")), behind
+        )
     if word not in LETTERS:
         return None
     first, _, second = thing.partition("/")
