@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import gc
 import os
+import re
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -33,3 +35,24 @@ def pytest_collection_finish(session: pytest.Session) -> None:
             path = item.callspec.params["path"]
             assert isinstance(path, Path)
             HELD.add(path)
+
+
+@cache
+def solves_problems(file: str) -> bool:
+    """Does a file of tests look at solutions of the files of problems/?"""
+    return bool(re.search(r"^from worked import .*\bworked\b", (ROOT / file).read_text(encoding="utf-8"), re.MULTILINE))
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_make_scheduler(config: pytest.Config, log: object) -> object:
+    """As `--dist loadfile` shares out a run, but all files that look at solved problems go to one worker, which solves
+    each of these once.
+    """
+    from xdist.scheduler import LoadFileScheduling
+
+    class Together(LoadFileScheduling):
+        def _split_scope(self, nodeid: str) -> str:
+            file = super()._split_scope(nodeid)
+            return "solved problems" if solves_problems(file) else file
+
+    return Together(config, log) if config.getvalue("dist") == "loadfile" else None
