@@ -341,9 +341,10 @@ class Telling:
         self.solving.merged.add((id(stage.algebra), w.number))
         self.vectors.zero |= {found.symbol}
         letter = self.phrases.math(found.symbol)
-        if self.solving.solves_itself(w, found, stage) or self.numeric.put_whole(w, stage):
-            return Equation((letter, self.phrases.math(sp.S.Zero)), number)
+        plain = (letter, self.phrases.math(sp.S.Zero))
         sides, _ = self.numeric.sides(w, stage, (w.left, w.right))
+        if sides == plain or self.solving.solves_itself(w, found, stage) or self.numeric.put_whole(w, stage):
+            return Equation(plain, number)
         return Equation(sides, number, (), line("hence ", letter, " = 0"))
 
     def _premises(self, w: Written) -> list[Block]:
