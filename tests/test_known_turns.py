@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 from conftest import ROOT
-from worked import worked
+from worked import page_of_text, worked
 
 from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.structure import load_text
@@ -146,3 +148,35 @@ def test_a_sum_of_moments_has_its_terms_on_their_own_sides() -> None:
     first, second = _page("friction/crate-on-cart").split("CASE")
     assert "↻ ΣM_A: 1/2 m g b = 1/2 m a_K h" in first
     assert "↻ ΣM_A: 1/2 m g b - N_B b = 1/2 m a_K h" in second
+
+
+STEPPED = """\
+title: Stepped cylinder between two blocks
+plane: vertical
+given: {m: 3 kg, r: 0.1 m, R: 0.2 m, m_A: 2 kg, m_B: 1 kg}
+points:
+  C: [0, 0]
+  G: [0, R]
+  H: [0, R + r]
+  T: [0, 2*R]
+  D: [2 m, R + r]
+  E: [-2 m, 2*R]
+bodies:
+  cylinder: {disk: G, radius: R, hub: r, mass: m}
+  a: {particle: [2 m, -2 m], mass: m_A}
+  b: {particle: [-2 m, -1 m], mass: m_B}
+surfaces: {floor: {through: C, angle: 0 deg}}
+joints:
+  - rolling: {between: [cylinder, floor], at: C}
+  - rope: {path: [H on cylinder, D, a], name: p}
+  - rope: {path: [T on cylinder, E, b], name: q}
+states:
+  start: [t = 0, at rest]
+  end: [t = 1 s]
+find: {v_a: v(a).y @ end, v_b: v(b).y @ end}
+"""
+
+
+def test_loads_on_ropes_tell_no_sense(tmp_path: Path) -> None:
+    """That their velocities are asked upward says nothing of how the wheel rolls."""
+    assert "clockwise, the way" not in page_of_text(tmp_path, STEPPED)

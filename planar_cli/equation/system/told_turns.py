@@ -23,8 +23,8 @@ def rolling_as_asked(
     scene: Scene, statements: Statements, modes: Iterable[tuple[Any, tuple[Mode, ...]]]
 ) -> dict[str, int]:
     """The sense, 1 counterclockwise and -1 clockwise, in which wheels roll from rest on the ground, where the finds ask
-    for the acceleration of their centre among others, all the same way; over time for the velocity of anything that
-    goes with them.
+    for the acceleration of their centre among others, all the same way; over time for the velocity of that, or of a
+    body on it, such as a cart.
     """
     over_time = bool(scene.problem.states)
     if len(scene.bodies) == 1 or not _rests(scene, statements):
@@ -34,7 +34,7 @@ def rolling_as_asked(
         wheel = joining.mover if joining.base == GROUND else joining.base
         if joining.rolling is None or GROUND not in (joining.mover, joining.base) or wheel == GROUND:
             continue
-        for way in _velocities(scene) if over_time else _asked_ways(scene, wheel):
+        for way in _velocities(scene, wheel) if over_time else _asked_ways(scene, wheel):
             found.setdefault(wheel, set()).add(_sense(scene, joining, wheel, way))
     return {wheel: sense for wheel, senses in found.items() if len(senses) == 1 for sense in senses if sense}
 
@@ -85,11 +85,13 @@ def _rests(scene: Scene, statements: Statements) -> bool:
     return any(isinstance(s, AtRest) and s.body is None for s in first) and not scene.problem.coordinates
 
 
-def _velocities(scene: Scene) -> Iterable[Vec]:
-    """The directions along which velocities are asked."""
+def _velocities(scene: Scene, wheel: str) -> Iterable[Vec]:
+    """The directions along which velocities of a wheel are asked, or of what has its centre."""
+    center = scene.center_name(wheel)
+    going = {wheel, center, *scene.owners.get(center, ())}
     for find in scene.problem.find:
         what = find.found.what
-        if isinstance(what, Quantity) and what.word == "v" and len(what.things) == 1:
+        if isinstance(what, Quantity) and what.word == "v" and len(what.things) == 1 and what.things[0] in going:
             yield from (way for part in what.parts if (way := _direction(scene, part)) is not None)
 
 

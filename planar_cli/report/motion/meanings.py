@@ -94,8 +94,10 @@ def _rotations(found: MotionTrace) -> dict[sp.Symbol, Line]:
     return {e.spin: told(e.spin, e, found) for e in edges if e.spin is not None}
 
 
-def _loaded(spin: sp.Symbol, edge: Edge, _: MotionTrace) -> Line:
-    return clockwise(Math(spin), edge)
+def _loaded(spin: sp.Symbol, edge: Edge, found: MotionTrace) -> Line:
+    """Of a wheel among other bodies it is what is asked that tells how it counts, not its loads."""
+    alone = len(found.problem.bodies) == 1
+    return clockwise(Math(spin), edge) if alone else line(Math(spin), " is counted clockwise.")
 
 
 def _struck(spin: sp.Symbol, edge: Edge, found: MotionTrace) -> Line:
