@@ -33,6 +33,8 @@ class Fields:
         self.report = report
         self.allowed = tuple(allowed)
         self.readable = isinstance(node, Mapping)
+        self.refused: list[str] = []
+        """The keys that are not allowed."""
         self._slips = slips or {}
         self._nodes: dict[str, Node] = {}
         self._marks: dict[str, Mark] = {}
@@ -44,7 +46,8 @@ class Fields:
             self._nodes[key] = value
             self._marks[key] = mark
             return
-        hint = self._slips.get(key, "")
+        self.refused.append(key)
+        hint = self._slips.get(key, "") or self._slips.get(key.lower(), "")
         hint = hint.replace("…", value.text) if isinstance(value, Scalar) else hint
         hint = hint or reading.did_you_mean(key, self.allowed, "allowed are ")
         self.report.add(mark, "PL310", f"unknown key '{key}' in {self.what}", hint)

@@ -55,19 +55,32 @@ SHAPE_FORMS = (
     "`particle: P`, `rod: [A, B]`, `disk: G`, `ring: G`, `sphere: G`, `sector: O`, `plate: G`, "
     "`points: [A, B]` with `center: G`, or `parts: [{…}, {…}]`"
 )
-SLIPS = {
-    "block": "a block is a `particle: P`, or a `plate: G` with `width` and `height`",
-    "bar": "a uniform bar is `rod: [A, B]`",
-    "wheel": "a wheel is `disk: G` with `radius`",
-    "cylinder": "a cylinder is `disk: G` with `radius`",
-    "point": "`particle: P` for a body without size",
+_ROUND, _BOX = "a {} is `disk: G` with `radius`", "a {} is `plate: G` with `width` and `height`"
+_LONG, _SMALL = "a uniform {} is `rod: [A, B]`", "`particle: P` for a body without size"
+SHAPE_SLIPS = {
+    **{w: _ROUND.format(w) for w in ("circle", "wheel", "cylinder", "pulley", "gear", "drum", "spool", "roller")},
+    **{w: _BOX.format(w) for w in ("rectangle", "square", "panel")},
+    **{w: f"a {w} is a `particle: P`, or a `plate: G` with `width` and `height`" for w in ("block", "box", "crate")},
+    **{w: _LONG.format(w) for w in ("bar", "beam", "stick", "link", "pole")},
+    **dict.fromkeys(("point", "point_mass", "mass_point"), _SMALL),
+    "ball": "a ball is `sphere: G` with `radius`, or a `particle: P`",
+    "hoop": "a hoop is `ring: G` with `radius`",
+    "semicircle": "a semicircle is `sector: O` with `radius` and `span: 180 deg`",
+    "half_disk": "half a disk is `sector: O` with `radius` and `span: 180 deg`",
+    "composite": "a body of several parts is `parts: [{…}, {…}]`",
+}
+"""The usual names of shapes, with how they are written."""
+_INERTIA = "write `inertia: 2 kg*m^2`, about the mass centre, or with `about: A`"
+_GYRATION = "write `radius_of_gyration: 0.2 m`"
+SLIPS = SHAPE_SLIPS | {
     "density": "give `mass` or `weight`",
-    "I": "write `inertia: 2 kg*m^2`, about the mass centre, or with `about: A`",
-    "k": "write `radius_of_gyration: 0.2 m`",
+    **dict.fromkeys(("I", "I_G", "J", "J_G"), _INERTIA),
+    **dict.fromkeys(("moment_of_inertia", "mass_moment_of_inertia", "rotational_inertia"), "did you mean 'inertia'?"),
+    **dict.fromkeys(("k", "k_G"), _GYRATION),
+    **dict.fromkeys(("gyration", "gyration_radius", "k_gyration"), "did you mean 'radius_of_gyration'?"),
     "m": "write `mass: 5 kg`",
     "W": "write `weight: 100 N`",
-    "type": SHAPE_FORMS,
-    "shape": SHAPE_FORMS,
+    **dict.fromkeys(("type", "shape"), SHAPE_FORMS.replace("…", "...")),
 }
 
 
@@ -140,13 +153,26 @@ def _shape(fields: Fields) -> Shape:
     """The one shape of a body or piece; what belongs to no other shape is refused."""
     kinds = [key for key in SHAPE_KEYS if key in fields and key != "points"]
     if len(kinds) > 1 or not (kinds or "points" in fields):
-        if fields.readable:
+        if fields.readable and (kinds or not _is_told_otherwise(fields)):
             many = f"here are {' and '.join(kinds)}" if kinds else "here is none"
             fields.report.add(fields.mark, "PL330", f"{fields.what} has one shape, {many}", SHAPE_FORMS)
         return Outline(None)
     kind = kinds[0] if kinds else "points"
     _refuse_strangers(fields, kind)
     return _SHAPES[kind](fields)
+
+
+def _is_told_otherwise(fields: Fields) -> bool:
+    """Is one of the keys that are not allowed meant for the shape?"""
+    return any(map(_is_shape, fields.refused))
+
+
+def _is_shape(key: str) -> bool:
+    """Is a key that is not allowed meant for a shape, as its own error says?"""
+    word = key.lower()
+    if word in SLIPS:
+        return word in SHAPE_SLIPS or word in ("type", "shape")
+    return reading.close_to(key, BODY_KEYS) in SHAPE_KEYS
 
 
 def _refuse_strangers(fields: Fields, kind: str) -> None:
@@ -247,7 +273,7 @@ def _piece(node: Node, whole: Fields) -> Piece:
             fields.place("center"), "PL331", text, f"{hint}, with `radius_of_gyration` for the whole body"
         )
     heavy, told = {"mass", "weight"} & fields.present(), {"inertia", "radius_of_gyration"} & fields.present()
-    if isinstance(shape, Outline) and heavy and not told:
+    if isinstance(shape, Outline) and heavy and not told and not _is_told_otherwise(fields):
         wheel = {"disk", "ring", "sphere"} & fields.present()
         text = f"{fields.what} is of no shape that tells its moment of inertia"
         fields.report.add(node.mark, "PL311", text, f"give {'its `radius`' if wheel else 'its `inertia`'}")
