@@ -15,6 +15,7 @@ from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.paths import value_in
 from planar_cli.figures.rings import extent_of
 from planar_cli.figures.shapes import moved
+from planar_cli.figures.smooth import smooth
 from planar_cli.problem.language.expression import Quantity
 from planar_cli.problem.scene.geometry import Vec
 from planar_cli.problem.scene.scene import GROUND
@@ -138,7 +139,9 @@ class _Along:
         """
         drawn = self.drawn.number(self.parameter)
         spots = self._spots(low, high, steps) if steps > FEW or drawn is None else []
-        if drawn is None or (spots and None not in spots):
+        if spots and None not in spots:
+            return smooth(lambda share: self(low + (high - low) * share), steps)
+        if drawn is None:
             return tuple(s for s in spots if s is not None)
         half = (high - low) / 2
         spots = self._spots(drawn - half, drawn + half, steps)

@@ -9,6 +9,8 @@ from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
 from planar_cli.figures.motions_in_states import moving_in
+from planar_cli.figures.shapes import moved
+from planar_cli.figures.smooth import smooth
 from planar_cli.problem.scene.scene import GROUND
 from planar_cli.report.document.marks import Mark, Polyline, Spot
 from planar_cli.solve.solved_problem import PartSolution
@@ -66,9 +68,12 @@ def orbit(part: PartSolution, name: str, state: str) -> tuple[Spot, ...]:
     if e > LONGEST or abs(turn) < NEAR * far * math.hypot(vx, vy):
         return ()
     parameter = turn**2 / strength
-    ways = [2 * math.pi * i / STEPS for i in range(STEPS + 1)]
-    reach = [parameter / (1 + e * math.cos(w - along)) for w in ways]
-    return tuple((cx + r * math.cos(w), cy + r * math.sin(w)) for r, w in zip(reach, ways, strict=True))
+
+    def there(share: float) -> Spot:
+        way = 2 * math.pi * share
+        return moved((cx, cy), way, parameter / (1 + e * math.cos(way - along)))
+
+    return smooth(there, STEPS)
 
 
 def _seen(part: PartSolution, name: str, state: str) -> tuple[Spot, Spot, Spot] | None:

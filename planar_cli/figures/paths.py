@@ -5,7 +5,7 @@ which it rests, by rates that are the same all the time or rest on the time alon
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 import sympy as sp
@@ -13,16 +13,21 @@ import sympy as sp
 from planar_cli.errors import PlanarError
 from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.shapes import moved
+from planar_cli.figures.smooth import smooth
 from planar_cli.motion.regime.regime import Regime
 from planar_cli.problem.language.expression import Quantity, Relation, Side
 from planar_cli.problem.scene.geometry import Vec
+from planar_cli.records import record
 from planar_cli.report.document.marks import Spot
 from planar_cli.solve.between.trace.trace import MotionTrace, RegimeTrace
 
 if TYPE_CHECKING:
     from planar_cli.equation.scene.scene import Scene
+    from planar_cli.simulate.measures import Several
     from planar_cli.simulate.run import Run
     from planar_cli.solve.law import Law
+
+Axis = Callable[[float], float | None]
 
 STEPS = 32
 CLOSE = 1e-6
@@ -52,9 +57,12 @@ def curve_of(drawn: Drawn, name: str) -> tuple[Spot, ...]:
     middle = drawn.number(angle) if len(angles) == 1 and (angle := angles.pop()) else None
     if middle is None:
         return ()
-    ways = (middle + AROUND * (2 * i / STEPS - 1) for i in range(STEPS + 1))
-    spots = [Drawn(scene, drawn.value, {angle: sp.Rational(f"{way:.9g}")}).spot(place) for way in ways]
-    return tuple(s for s in spots if s is not None)
+
+    def there(share: float) -> Spot | None:
+        way = middle + AROUND * (2 * share - 1)
+        return Drawn(scene, drawn.value, {angle: sp.Rational(f"{way:.9g}")}).spot(place)
+
+    return smooth(there, STEPS)
 
 
 def course_of(drawn: Drawn, name: str) -> tuple[Spot, ...]:
@@ -66,17 +74,32 @@ def course_of(drawn: Drawn, name: str) -> tuple[Spot, ...]:
     end = drawn.number(clock) if clock is not None else None
     for (pole, polar), sides in laws.items():
         center = drawn.spot(scene.points[pole]) if pole in scene.points else None if pole else (0.0, 0.0)
-        if len(sides) < 2 or center is None or now is None or not end:
+        if len(sides) < 2 or center is None or now is None or not end or clock is None:
             continue
-        found = []
-        for i in range(STEPS + 1):
-            here = {clock: sp.Rational(f"{end * i / STEPS:.9g}")}
-            one, other = (drawn.number(scene.value(side).xreplace(here)) for _, side in sorted(sides.items())[::-1])
-            if one is not None and other is not None:
-                found.append(moved(center, other, one) if polar else (center[0] + other, center[1] + one))
+        told = Vec(*(scene.value(side) for _, side in sorted(sides.items())))
+        found = smooth(_Formulas(drawn, clock, end, told, center, polar), STEPS)
         if found and math.dist(found[-1], now) < CLOSE * max(math.dist(center, now), CLOSE):
-            return tuple(found)
+            return found
     return ()
+
+
+@record
+class _Formulas:
+    """Places by formulas of the time: coordinates, or (`polar`) the direction from the centre and the distance."""
+
+    drawn: Drawn
+    clock: sp.Symbol
+    end: float
+    told: Vec
+    center: Spot
+    polar: bool
+
+    def __call__(self, share: float) -> Spot | None:
+        here = {self.clock: sp.Rational(f"{self.end * share:.9g}")}
+        one, other = (self.drawn.number(e.xreplace(here)) for e in (self.told.x, self.told.y))
+        if one is None or other is None:
+            return None
+        return moved(self.center, one, other) if self.polar else (self.center[0] + one, self.center[1] + other)
 
 
 def pole_of(drawn: Drawn, name: str) -> Spot | None:
@@ -131,39 +154,46 @@ def _by_coordinate(motion: MotionTrace, regime: RegimeTrace, body: str, since: s
     first, last = value_in(motion, q, since), value_in(motion, q, until)
     if first is None or last is None:
         return ()
-    ways = (first + (last - first) * i / STEPS for i in range(STEPS + 1))
-    spots = [Drawn(scene, motion.value, {q: sp.Rational(f"{way:.9g}")}).spot(center) for way in ways]
-    return tuple(s for s in spots if s is not None)
+
+    def there(share: float) -> Spot | None:
+        way = first + (last - first) * share
+        return Drawn(scene, motion.value, {q: sp.Rational(f"{way:.9g}")}).spot(center)
+
+    return smooth(there, STEPS)
 
 
 def _by_rates(motion: MotionTrace, regime: RegimeTrace, body: str, since: str, until: str) -> tuple[Spot, ...]:
     laws = {law.coordinate.symbol: law for a, b, told in motion.stretches if (a, b) == (since, until) for law in told}
     center = _place(regime.solution.instant.scene, body)
-    axes = [_axis(motion, laws, sp.sympify(place), since, until) for place in (center.x, center.y)]
-    return tuple(zip(axes[0], axes[1], strict=True)) if all(axes) else ()
+    x, y = (_axis(motion, laws, sp.sympify(place), since, until) for place in (center.x, center.y))
+    return () if x is None or y is None else smooth(lambda share: _both(x(share), y(share)), STEPS)
 
 
-def _axis(motion: MotionTrace, laws: dict[sp.Symbol, Law], place: sp.Expr, since: str, until: str) -> tuple[float, ...]:
-    """One coordinate of a mass centre at equal steps of time."""
+def _both(x: float | None, y: float | None) -> Spot | None:
+    return None if x is None or y is None else (x, y)
+
+
+def _axis(motion: MotionTrace, laws: dict[sp.Symbol, Law], place: sp.Expr, since: str, until: str) -> Axis | None:
+    """One coordinate of a mass centre at each share of the time."""
     if not place.free_symbols & set(motion.general.values()):
         fixed = motion.value.known(place)
-        return () if fixed is None else (float(fixed),) * (STEPS + 1)
+        return None if fixed is None else lambda _: float(fixed)
     clock = _time(motion)
     if place not in laws or clock is None:
-        return ()
+        return None
     times, ends = ([value_in(motion, s, state) for state in (since, until)] for s in (clock, place))
     if None in times or None in ends:
-        return ()
+        return None
     (begin, end), (first, last) = ([v for v in pair if v is not None] for pair in (times, ends))
-    law, parts = laws[place], [i / STEPS for i in range(STEPS + 1)]
+    law = laws[place]
     rests = _rests(motion, law, since, until)
     rate = sp.S.Zero if law.order == 1 else motion.value.known(law.f)
     if not rests and rate is not None:
         bend = float(rate) * (end - begin) ** 2 / 2
-        return tuple(first + (last - first) * s + bend * (s * s - s) for s in parts)
+        return lambda s: first + (last - first) * s + bend * (s * s - s)
     if law.order == 1 and rests == {clock}:
-        return tuple(_summed(motion, law, clock, first, (begin, end)))
-    return ()
+        return _Summed(motion, law, clock, (begin, end), {0.0: first})
+    return None
 
 
 def _rests(motion: MotionTrace, law: Law, since: str, until: str) -> set[sp.Basic]:
@@ -173,22 +203,38 @@ def _rests(motion: MotionTrace, law: Law, since: str, until: str) -> set[sp.Basi
     return set(found - same) if law.order == 1 else set(found)
 
 
-def _summed(
-    motion: MotionTrace, law: Law, clock: sp.Symbol, first: float, span: tuple[float, float]
-) -> Iterator[float]:
-    """A coordinate whose rate rests on the time alone, by Simpson's rule in each step."""
-    step = (span[1] - span[0]) / STEPS
-    rates = [
-        motion.value.known(law.f.subs(clock, sp.Rational(f"{span[0] + step * i / 2:.12g}")))
-        for i in range(2 * STEPS + 1)
-    ]
-    if any(r is None for r in rates):
-        return
-    told, at = [float(r) for r in rates if r is not None], first
-    yield at
-    for i in range(STEPS):
-        at += step * (told[2 * i] + 4 * told[2 * i + 1] + told[2 * i + 2]) / 6
-        yield at
+@record
+class _Summed:
+    """A coordinate whose rate rests on the time alone, by Simpson's rule. `known`: what it is at some shares, its begin
+    among them.
+    """
+
+    motion: MotionTrace
+    law: Law
+    clock: sp.Symbol
+    span: tuple[float, float]
+    known: dict[float, float | None]
+
+    def __call__(self, share: float) -> float | None:
+        since = max(s for s in self.known if s <= share)
+        at = self.known[since]
+        pieces = math.ceil((share - since) * STEPS - CLOSE)
+        for i in range(pieces):
+            one, other = (since + (share - since) * k / pieces for k in (i, i + 1))
+            rates = [self._rate(one), self._rate((one + other) / 2), self._rate(other)]
+            a, b, c = (math.nan if r is None else r for r in rates)
+            at = None if at is None or None in rates else at + (other - one) * self._length * (a + 4 * b + c) / 6
+        self.known[share] = at
+        return at
+
+    @property
+    def _length(self) -> float:
+        return self.span[1] - self.span[0]
+
+    def _rate(self, share: float) -> float | None:
+        now = sp.Rational(f"{self.span[0] + self._length * share:.12g}")
+        found = self.motion.value.known(self.law.f.subs(self.clock, now))
+        return None if found is None else float(found)
 
 
 def followed_path(run: Run | None, body: str, since: str, until: str) -> tuple[Spot, ...]:
@@ -196,26 +242,26 @@ def followed_path(run: Run | None, body: str, since: str, until: str) -> tuple[S
     if run is None:
         return ()
     course, states = run.trajectory, [s.name for s in run.problem.states]
-    ends = [course.t0 if name == states[0] else e.t if (e := course.event(name)) else None for name in (since, until)]
-    if ends[0] is None or ends[1] is None or not course.segments:
+    begin, end = (
+        course.t0 if name == states[0] else e.t if (e := course.event(name)) else None for name in (since, until)
+    )
+    if begin is None or end is None or not course.segments:
         return ()
     place = Quantity("r", (body,), None, (), None, run.problem.states[0].mark)
-    found: list[Spot] = []
-    for segment in course.segments:
-        inside = [t for i in range(STEPS + 1) if segment.t0 <= (t := _part(ends[0], ends[1], i)) <= segment.t1]
-        try:
-            if not isinstance(segment.regime, Regime):
-                return ()
-            where = run.measures.several((place,), segment.regime)
-            for t in inside:
-                # What is wound up on a drum rests on all that has been before.
-                run.measures.wind(t)
-                ((x, y),) = where(t, segment.at(t))
-                found.append((x, y))
-        except (PlanarError, ArithmeticError):
-            return ()
-    return tuple(found)
+    told: dict[int, Several] = {}
 
+    def there(share: float) -> Spot | None:
+        t = begin + (end - begin) * share
+        k, segment = next(((k, s) for k, s in enumerate(course.segments) if s.t0 <= t <= s.t1), (0, None))
+        if segment is None or not isinstance(segment.regime, Regime):
+            return None
+        told[k] = told.get(k) or run.measures.several((place,), segment.regime)
+        # What is wound up on a drum rests on all that has been before.
+        run.measures.wind(t)
+        ((x, y),) = told[k](t, segment.at(t))
+        return x, y
 
-def _part(begin: float, end: float, i: int) -> float:
-    return begin + (end - begin) * i / STEPS
+    try:
+        return smooth(there, STEPS) if all(isinstance(s.regime, Regime) for s in course.segments) else ()
+    except (PlanarError, ArithmeticError):
+        return ()

@@ -13,6 +13,7 @@ from planar_cli.figures.asked_curves import whole_paths
 from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.orbits import orbit
 from planar_cli.figures.paths import course_of, curve_of, path_of
+from planar_cli.figures.smooth import smooth
 from planar_cli.problem.scene.geometry import Vec
 from planar_cli.problem.scene.scene import GROUND, Circle, Curve
 from planar_cli.report.document.marks import Spot
@@ -68,8 +69,7 @@ def _graph(drawn: Drawn, shape: Curve, at: Spot) -> Iterator[tuple[Spot, ...]]:
         return
     low, high = min(0.0, at[0]), max(0.0, at[0])
     more = BEYOND * (high - low)
-    spots = (there(low - more + (high - low + 2 * more) * i / STEPS) for i in range(STEPS + 1))
-    yield tuple(s for s in spots if s is not None)
+    yield smooth(lambda share: there(low - more + (high - low + 2 * more) * share), STEPS)
 
 
 def circle(center: Spot, radius: float) -> tuple[Spot, ...]:

@@ -57,10 +57,13 @@ def lengths_of_ways(places: Sequence[Later], problem: Problem, ways: Iterable[Ma
 
 
 def _joins(way: Sequence[Spot], ends: Sequence[Spot | None]) -> bool:
-    """Does a way go from one place to another?"""
+    """Does a way go from one place to another? What has been gone round more than once is closed at its end."""
     near = NEAR * math.dist(way[0], way[len(way) // 2])
-    pairs = zip((way[0], way[-1]), ends, strict=False)
-    return len(ends) > 1 and all(e is not None and math.dist(s, e) <= near for s, e in pairs)
+    if len(ends) < 2 or ends[0] is None or ends[-1] is None or math.dist(way[-1], ends[-1]) > near:
+        return False
+    closed = math.dist(way[0], way[-1]) <= near
+    on = min(starmap(math.dist, ((s, ends[0]) for s in way))) if closed else math.dist(way[0], ends[0])
+    return on <= (math.dist(*way[:2]) if closed else near)
 
 
 def _is_along(one: Dimension, axis: int, start: Spot, end: Spot) -> bool:

@@ -13,6 +13,7 @@ from planar_cli.figures.drawn import Drawn
 from planar_cli.figures.partners import between, is_lane, leads
 from planar_cli.figures.rings import side_of
 from planar_cli.figures.shapes import moved
+from planar_cli.figures.smooth import smooth
 from planar_cli.problem.scene.geometry import Vec
 from planar_cli.problem.scene.scene import Circle, Curve, Line, Surface
 from planar_cli.report.document.marks import Arc, Hatched, Mark, Polyline, Spot, spots_of
@@ -176,13 +177,8 @@ def _curve(drawn: Drawn, surface: Surface, shape: Curve, touching: Sequence[Spot
         low, high = min(ways) - REACH, max(ways) + REACH
         if _is_closed(drawn, place, x):
             low, high = -math.pi, math.pi
-    found = []
-    for i in range(STEPS + 1):
-        at = low + (high - low) * i / STEPS
-        spot = _at(drawn, place, x, at)
-        if spot is not None:
-            found.append(moved(origin, turn, *spot))
-    return found
+    found = smooth(lambda share: _at(drawn, place, x, low + (high - low) * share), STEPS)
+    return [moved(origin, turn, *spot) for spot in found]
 
 
 def _is_closed(drawn: Drawn, place: Vec, x: sp.Symbol) -> bool:
