@@ -19,7 +19,6 @@ import numpy as np
 from planar_cli.homework.mistakes.base import NOT_CARRIED_OUT
 from planar_cli.homework.sets.paper import Expected
 from planar_cli.homework.sets.powers_of_ten import is_of_a_datum
-from planar_cli.homework.variants.course import course_of
 from planar_cli.homework.variants.fit_variants import (
     ILL,
     NO_VALUE,
@@ -39,7 +38,7 @@ from planar_cli.homework.variants.fit_variants import (
 from planar_cli.homework.variants.given_letters import with_given
 from planar_cli.homework.variants.own_gravity import GRAVITY
 from planar_cli.homework.variants.same_formula import as_in_file
-from planar_cli.homework.variants.solved_anew import REFUSED, is_same, to_check
+from planar_cli.homework.variants.solved_anew import REFUSED, Anew, is_same, to_check
 from planar_cli.homework.variants.told_letters import Formulas
 from planar_cli.homework.variants.variant_draws import Draw, draws
 from planar_cli.homework.variants.worked_problem import (
@@ -102,6 +101,21 @@ class Variants:
         (self.alike if answers in self.answers else self.taken).append(variant)
         self.answers.add(answers)
 
+    def meet(self, draw: Draw, why: str) -> None:
+        """A combination, and what the equations have against it."""
+        for pair in draw.values:
+            self.met.setdefault(pair, Counter())[why] += 1
+            if why:
+                self.refused.setdefault(pair, (draw, why))
+
+    def refuse(self, draw: Draw) -> None:
+        """One that is fit by the equations and has no solution."""
+        self.rejected[UNSOLVED] += 1
+        for pair in draw.values:
+            # `+`: without what is counted no more.
+            self.met[pair] = +(self.met[pair] - Counter({"": 1}))
+        self.meet(draw, UNSOLVED)
+
     def fill(self, count: int) -> None:
         """So many variants where others that differ in an answer are not there."""
         more = self.alike[: max(count - len(self.taken), 0)]
@@ -138,17 +152,21 @@ def variants_of(problem: WorkedProblem, count: int, seed: int, formulas: Formula
     found = Variants(combinations=math.prod(len(v.values) for v in varied))
     if not varied or count < 1:
         return found
-    drawn = draws(varied, f"{seed}/{problem.name}")
+    key = f"{seed}/{problem.name}"
     if problem.is_written:
-        together = max(int(SPARE * count), AT_LEAST)
-        while len(found.taken) < count and (some := list(islice(drawn, together))):
-            _take_written(problem, some, count, found)
-        found.fill(count)
-        if _solved_anew_agree(problem, found):
-            return found
+        anew = Anew(problem)
+        # Where one that was solved anew is refused, each that is taken has to be solved.
+        for each in (False, True):
+            found = Variants(combinations=found.combinations)
+            _take_written(problem, draws(varied, key), count, found, anew if each else None)
+            found.fill(count)
+            if anew.differs or not _solved_anew_agree(problem, found, anew):
+                break
+            if each or not anew.refuses:
+                return found
         note = "solved one by one, as the equations of the file do not fit all values"
         found = Variants(note=note, combinations=found.combinations)
-        drawn = draws(varied, f"{seed}/{problem.name}")
+    drawn = draws(varied, key)
     _take_solved(problem, drawn, count, found, formulas)
     found.fill(count)
     return found
@@ -163,22 +181,34 @@ def columns(problem: WorkedProblem, drawn: Sequence[Draw]) -> dict[str, Numbers]
     return {name: np.array([row[name] for row in rows]) for name in (rows[0] if rows else ())}
 
 
-def _take_written(problem: WorkedProblem, drawn: Sequence[Draw], count: int, found: Variants) -> None:
-    out = _CarriedOut(problem, drawn)
-    why = _objections(problem, out.values, out.base, out.numbers, out.carried, len(drawn))
-    for k, draw in enumerate(drawn):
-        for pair in draw.values:
-            found.met.setdefault(pair, Counter())[why[k]] += 1
+def _take_written(
+    problem: WorkedProblem, drawn: Iterator[Draw], count: int, found: Variants, anew: Anew | None
+) -> None:
+    """Combinations that are fit by the equations, in blocks. `anew`: solves each of them too; one that is refused is
+    not taken.
+    """
+    together, solved = max(int(SPARE * count), AT_LEAST), 0
+    while len(found.taken) < count and (some := list(islice(drawn, together))):
+        out = _CarriedOut(problem, some)
+        why = _objections(problem, out.values, out.base, out.numbers, out.carried, len(some))
+        for draw, reason in zip(some, why, strict=True):
+            found.meet(draw, reason)
+        for k, draw in enumerate(some):
+            if len(found.taken) >= count or solved >= AT_MOST * count:
+                return
+            found.tried += 1
             if why[k]:
-                found.refused.setdefault(pair, (draw, why[k]))
-    for k, draw in enumerate(drawn):
-        if len(found.taken) >= count:
-            return
-        found.tried += 1
-        if why[k]:
-            found.rejected[why[k]] += 1
-            continue
-        found.take(Variant(draw, out.expected(k)))
+                found.rejected[why[k]] += 1
+                continue
+            variant = Variant(draw, out.expected(k))
+            if anew is not None:
+                solved += 1
+                if anew.refuses_one(draw, variant.expected):
+                    found.refuse(draw)
+                    continue
+                if anew.differs:
+                    return
+            found.take(variant)
 
 
 class _CarriedOut:
@@ -271,17 +301,12 @@ def _too_close(
             yield name, one.name, off <= APART * tolerance * size
 
 
-def _solved_anew_agree(problem: WorkedProblem, found: Variants) -> bool:
-    """Does solving some of the variants anew give the same, by the same course of modes? And are combinations that are
-    not fit by the equations not fit when they are solved?
+def _solved_anew_agree(problem: WorkedProblem, found: Variants, anew: Anew) -> bool:
+    """Does solving some of the variants anew give the same, by the same course of modes, where it is not refused? And
+    are combinations that are not fit by the equations not fit when they are solved?
     """
-    course = course_of(problem.solution)
-    drawn = [v.draw for v in found.taken]
-    for k in to_check(problem, drawn):
-        anew = variant_solved(problem, drawn[k])
-        if anew is None or course_of(anew.solution) != course:
-            return False
-        if not is_same(found.taken[k].expected, base_expected(anew)):
+    for k in to_check(problem, [v.draw for v in found.taken], [v.expected for v in found.taken]):
+        if not anew.refuses_one(found.taken[k].draw, found.taken[k].expected) and anew.differs:
             return False
     refused = {why: draw for draw, why in (found.refused[pair] for pair, _ in found.never) if is_of_physics(why)}
     return not any(_is_fit_after_all(problem, draw, why) for why, draw in islice(refused.items(), REFUSED))
