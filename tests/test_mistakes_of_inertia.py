@@ -51,3 +51,23 @@ def test_of_an_energy_one_part_is_missing(tmp_path: Path) -> None:
     found = ratios(tmp_path, SWINGS)
     assert found["parallel-axis-left-out"] == pytest.approx(2)
     assert found["rotational-inertia-left-out"] == pytest.approx((4 / 3) ** 0.5)
+
+
+DRUM = """
+plane: vertical
+given: {I: 0.06 kg*m^2, R: 0.2 m, m: 2 kg}
+points: {O: [0, 0], T: [R, 0], A: [R, -1 m]}
+bodies: {drum: {disk: O, radius: R, inertia: I}, block: {particle: A, mass: m}}
+joints: [pin: {at: O, between: [ground, drum]}, rope: {path: [T on drum, A], name: cord}]
+instant: [at rest]
+find: {a: a(A).mag}
+"""
+
+
+def test_an_inertia_that_is_a_letter_is_left_out_as_a_number_is(tmp_path: Path) -> None:
+    """Without the drum the block falls freely; a thousandth of its inertia is no better explanation."""
+    for text in (DRUM, DRUM.replace("I: 0.06 kg*m^2, ", "").replace("inertia: I", "inertia: 0.06 kg*m^2")):
+        (one,) = mistakes_of(tmp_path, text)
+        free = [(m.name, m.feedback) for m in one.mistakes if m.values[0] == pytest.approx(9.81, rel=1e-3)]
+        assert [name for name, _ in free] == ["rotational-inertia-left-out"]
+        assert free[0][1].startswith("this is the result without the moment of inertia")

@@ -32,10 +32,12 @@ def named(one: Graded, expected: Expected, values: Sequence[float], answer: Type
     if not told or min(told) < min(FEWEST, asked):
         return one
     places = _last_places(values, answer, asked)
-    if len(values) == 1:
-        (value,), least = values, _least(values[0], places[0])
-        return _told(one, [m for m in expected.mistakes if len(m.values) == 1 and abs(m.values[0] - value) <= least])
-    return _told(one, [m for m in expected.mistakes if _same(m.values, values, places)])
+    fits = [m for m in expected.mistakes if _same(m.values, values, places)]
+    if not fits:
+        # The number is not right: what is hardly further off tells of it too, but for a datum of little influence.
+        near = (m for m in expected.nearly if not is_of_a_datum(m.feedback))
+        fits = [m for m in near if _same(m.values, values, places)]
+    return _told(one, fits)
 
 
 def named_formula(one: Graded, expected: Expected, text: str) -> Graded:
@@ -95,6 +97,8 @@ def _zeros_at_its_end(value: float) -> int:
 def _same(due: Sequence[float], values: Sequence[float], places: Sequence[float]) -> bool:
     if len(due) != len(values):
         return False
+    if len(values) == 1:
+        return abs(due[0] - values[0]) <= _least(values[0], places[0])
     size = math.hypot(*values)
     return bool(size) and all(_close(a, b, p, size) for a, b, p in zip(due, values, places, strict=False))
 

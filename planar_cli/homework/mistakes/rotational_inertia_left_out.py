@@ -9,8 +9,11 @@ from typing import ClassVar, final
 import sympy as sp
 
 from planar_cli.equation.values.parts_of_accelerations import SPIN
-from planar_cli.homework.mistakes.base import Mistake, Model
+from planar_cli.homework.mistakes.base import Mistake, Model, inputs_at
 from planar_cli.homework.sets.printed_names import printed
+from planar_cli.problem.language.expression import Binary, Name, Negate
+from planar_cli.problem.language.walk import walk
+from planar_cli.problem.nodes.reading import listed
 from planar_cli.problem.scene.scene import Problem
 from planar_cli.replay.equations import Equations
 from planar_cli.units import INERTIA
@@ -21,8 +24,8 @@ class RotationalInertiaLeftOut(Mistake):
     """The moment of inertia of a body is left out.
 
     In the equations
-        The moment of inertia of a body is zero; one body at a time. Where it stands only in the energy or momentum of a
-        body, I ω²/2 and I ω are missing there.
+        The moment of inertia of a body is zero; one body at a time, or all that have the same letter. Where it stands
+        only in the energy or momentum of a body, I ω²/2 and I ω are missing there.
     """
 
     kind: ClassVar[str] = "rotational-inertia-left-out"
@@ -32,6 +35,7 @@ class RotationalInertiaLeftOut(Mistake):
             changed = replace(equations, defined={**equations.defined, symbol: sp.S.Zero})
             # Behind a comma stands how it was found.
             yield Model(f"this is the result without the {title.partition(', ')[0]}", changed)
+        yield from _of_letters(equations, problem)
         finds = equations.rests_on(e for a in equations.asked.values() for e in a.parts)
         for name, symbol in equations.inputs.items():
             if name.startswith(SPIN) and symbol in finds:
@@ -39,6 +43,22 @@ class RotationalInertiaLeftOut(Mistake):
                 yield Model(
                     f"this is the result without the moment of inertia of {body}", equations, {symbol: sp.S.Zero}
                 )
+
+
+def _of_letters(equations: Equations, problem: Problem) -> Iterable[Model]:
+    """A moment of inertia that is a given letter is zero for all bodies that have it: it stands in the equations as it
+    is, and nothing is defined by it.
+    """
+    for name, symbol in inputs_at(equations, problem, "inertia").items():
+        if equations.units.get(symbol) is None or equations.units[symbol].dimension != INERTIA:
+            continue
+        bodies = [b.name for b in problem.bodies if _has_letter(getattr(b, "inertia", None), name)]
+        said = listed((printed(b) for b in bodies), "and")
+        yield Model(f"this is the result without the moment of inertia of {said}", equations, {symbol: sp.S.Zero})
+
+
+def _has_letter(side: object, name: str) -> bool:
+    return isinstance(side, Name | Negate | Binary) and any(isinstance(p, Name) and p.name == name for p in walk(side))
 
 
 def inertias(equations: Equations) -> Iterable[tuple[sp.Symbol, str]]:
