@@ -142,7 +142,7 @@ def _polar(drawn: Drawn, spot: Spot, place: Polar, tagged: Mapping[str, Spot]) -
     if origin is None or math.dist(origin, spot) < NEAR:
         return
     words = _given(drawn, place.distance, drawn.length(place.distance))
-    on_a_rim = words in [r.words for r in _all_radii(drawn, {})]
+    on_a_rim = words in [r.words for r in _all_radii(drawn, {})] or _is_across_a_wheel(drawn, origin, spot)
     if words and not on_a_rim:
         yield Dimension(origin, spot, words)
     if not on_a_rim or _is_lettered(place.angle):
@@ -150,9 +150,30 @@ def _polar(drawn: Drawn, spot: Spot, place: Polar, tagged: Mapping[str, Spot]) -
         yield from angle_from_its_zero(drawn, origin, place.angle)
 
 
+def _is_across_a_wheel(drawn: Drawn, one: Spot, other: Spot) -> bool:
+    """Do two places lie on a line through the middle of a wheel, each there, on its rim or on its hub? Its radii tell
+    how far apart they are: R + r, 2 R.
+    """
+    for body in drawn.scene.problem.bodies:
+        rim = rim_of(body.shape)
+        center = drawn.carried(body.name, rim.center) if rim is not None else None
+        if rim is None or center is None:
+            continue
+        radii = [
+            r for side in (rim.radius, rim.hub) if side is not None and words_of(side) and (r := drawn.length(side))
+        ]
+        ends = [math.dist(center, s) for s in (one, other)]
+        near = NEAR * max((1.0, *radii))
+        apart = math.dist(one, other)
+        in_line = min(abs(apart - abs(ends[0] - ends[1])), abs(apart - sum(ends))) < near
+        if radii and in_line and all(min(abs(end - r) for r in (0.0, *radii)) < near for end in ends):
+            return True
+    return False
+
+
 def _apart(drawn: Drawn, origin: Spot | None, spot: Spot, distance: Side) -> Iterator[Dimension]:
     words = _given(drawn, distance, drawn.length(distance))
-    if origin is not None and words and math.dist(origin, spot) > NEAR:
+    if origin is not None and words and math.dist(origin, spot) > NEAR and not _is_across_a_wheel(drawn, origin, spot):
         yield Dimension(origin, spot, words)
 
 

@@ -18,7 +18,7 @@ ANGLES = tuple(math.radians(a) for a in range(0, 360, 15))
 FAR = (1.0, 1.5, 2.2, 3.0, 4.0, 5.5, 7.0, 9.0, 11.0, 13.5, 16.0, 20.0, 25.0, 30.0)
 """Distances from the anchor in parts of the gap that is usual."""
 ROUNDS = 4
-CLASH, COVERS, EACH, AWAY, TURNED, OUTSIDE, CROSSES, TOUCHES = 1e6, 200.0, 1.0, 2.0, 1.5, 25.0, 0.7, 6.0
+CLASH, COVERS, EACH, AWAY, TURNED, OUTSIDE, CROSSES, TOUCHES = 1e6, 200.0, 1.0, 2.0, 1.5, 25.0, 0.7, 20.0
 """What it costs to overlap another label; to cover strokes, and each pixel of them; to stand farther; to be off the
 best angle; to stand outside a gap that is left for it; each pixel of a stroke that the line to its place crosses; to be
 so near to another label that the two are read as one.

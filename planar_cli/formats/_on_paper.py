@@ -46,6 +46,8 @@ EXTENSION = "measure extension"
 """What leads from a place to its dimension: it lies below all else."""
 STRENGTH = 10.0
 """So far from the middle line of a spring its letter stands."""
+HEAD = (6.5, 2.2)
+"""How long the head of a dimension is, and how wide on either side."""
 LEFT = 10.0
 """So much is left of a dimension line on either side of its words."""
 BELOW, LANES = (LATER, WAY, EXTENSION), ("lane", "lane core")
@@ -355,12 +357,14 @@ def _ticked(ends: tuple[Spot, Spot], angle: float, both: bool, gap: float = 0.0)
     else:
         yield Stroke(ends, "measure")
     for tip, way in ((ends[1], angle), *(((ends[0], angle + math.pi),) if both else ())):
-        yield _head(tip, way)
+        # No more than half of what it measures.
+        yield _head(tip, way, min(1.0, half / HEAD[0]))
 
 
-def _head(tip: Spot, way: float) -> Stroke:
-    """The small head of a dimension."""
-    return Stroke((tip, moved(tip, way, -6.5, 2.2), moved(tip, way, -6.5, -2.2)), "measure head", True)
+def _head(tip: Spot, way: float, part: float = 1.0) -> Stroke:
+    """The small head of a dimension; `part`: of its usual size."""
+    back, aside = HEAD[0] * part, HEAD[1] * part
+    return Stroke((tip, moved(tip, way, -back, aside), moved(tip, way, -back, -aside)), "measure head", True)
 
 
 @_drawn.register
