@@ -10,7 +10,7 @@ from dataclasses import replace
 
 from planar_cli.errors import Diagnostic, FileProblem, PlanarError, Undecided, UndecidedFiles
 from planar_cli.homework.grading.carried_errors import carriable
-from planar_cli.homework.grading.dependence import behind_each
+from planar_cli.homework.grading.dependence import behind_each, together_each
 from planar_cli.homework.grading.followed_mistakes import left_out, with_followed
 from planar_cli.homework.grading.passing import passing
 from planar_cli.homework.grading.what_mistakes_give import with_mistakes
@@ -61,8 +61,12 @@ def prepared(problem: SetProblem, variants: int, seed: int, formulas: Formulas |
         _with_points(problem, _in_words(problem, with_given(solved, told.of(e, dict(d.values)), dict(d.values))))
         for d, e in zip(draws, rows, strict=True)
     ]
-    behind = behind_each(solved if same is None else same.problem)
-    made = [replace(_task(problem, solved, d, e), behind=behind) for d, e in zip(draws, asked, strict=True)]
+    whole = solved if same is None else same.problem
+    behind, together = behind_each(whole), together_each(whole)
+    made = [
+        replace(_task(problem, solved, d, e), behind=behind, together=together)
+        for d, e in zip(draws, asked, strict=True)
+    ]
     values = {k: base_numbers(solved.problem, dict(draws[place].values)) for k, place in enumerate(spread)}
     written = {k: dict(draws[place].values) for k, place in enumerate(spread)}
     solved_alone = (None, *(v.alone for v in drawn.taken))

@@ -7,6 +7,7 @@ from dataclasses import replace
 from functools import partial
 from typing import Protocol
 
+from planar_cli.homework.grading.common_mistakes import Explanation, common_mistake, is_named
 from planar_cli.homework.grading.dependence import in_turn
 from planar_cli.homework.grading.needed import needed
 from planar_cli.homework.sets.paper import RIGHT, WRONG, Expected, Graded, Task
@@ -38,18 +39,28 @@ def with_carried(
 ) -> list[Graded]:
     """The finds of a problem, of each its verdict and its numbers: those that follow rightly from wrong values of finds
     on which they rest are carried: of all these together or of one of them, alone or with the student's right ones.
+    What a mistake gives follows from nothing that is asked behind it and found together with it: the mistake says
+    more. One that explains all wrong numbers stands first.
     """
     graded = [one for one, _ in pairs]
     if sum(one.verdict == WRONG for one in graded) < 2:
         return graded
-    behind = dict(task.behind)
+    behind, together = dict(task.behind), dict(task.together)
     wrong: dict[str, tuple[float, ...]] = {}
     right = {one.find: values for one, values in pairs if values is not None and one.verdict == RIGHT}
+    common = common_mistake((e, *pair) for e, pair in zip(task.expected, pairs, strict=True))
     for place in in_turn([one.find for one in graded], behind):
         one, values = pairs[place]
         if one.verdict != WRONG or values is None:
             continue
-        own = {n: v for n, v in wrong.items() if n in behind.get(one.find, ())}
+        if common is not None and one.value == WRONG:
+            graded[place] = one = replace(
+                one, mistakes=tuple(dict.fromkeys((common[0], *one.mistakes))), feedback=common[1]
+            )
+        # What comes of the same equations and is asked later explains no less and no more: the mistake does.
+        later = [e.find for e in task.expected[place:]] if is_named(one) else []
+        circle = {n for n in together.get(one.find, ()) if n in later}
+        own = {n: v for n, v in wrong.items() if n in behind.get(one.find, ()) and n not in circle}
         if own:
             more = {n: right[n] for n in behind[one.find] if n in right}
             for taken in _taken_together(own):
@@ -58,10 +69,15 @@ def with_carried(
                     one = carried_on(task, task.expected[place], one, values, taken | more, rules, carry, tuple(taken))
                 if one.carried:
                     break
-            graded[place] = one
+            graded[place] = one if common is None or not one.carried else _explained(one, common)
         # What only follows from another stands first: it is the first to be found needless.
         wrong = {one.find: values, **wrong} if one.carried else {**wrong, one.find: values}
     return graded
+
+
+def _explained(one: Graded, common: Explanation) -> Graded:
+    """What follows from another wrong value by the mistake that explains all of them."""
+    return replace(one, mistakes=common[:1], message=f"{common[1]}; it {one.message.removeprefix('this ')}")
 
 
 def _taken_together(own: Mapping[str, tuple[float, ...]]) -> Iterator[dict[str, tuple[float, ...]]]:

@@ -28,6 +28,27 @@ def behind_each(problem: WorkedProblem) -> Behind:
     return tuple((name, tuple(n for n in order if n in rests[name])) for name in order if rests[name])
 
 
+def together_each(problem: WorkedProblem) -> Behind:
+    """By find: those that simultaneous equations give only together with what it is made of, as two tensions and the
+    acceleration that makes its velocity.
+    """
+    found = []
+    for part, one in problem.finds:
+        equations = None if part.replay is None else part.replay.equations
+        if equations is None or one.name not in equations.asked:
+            continue
+        rests = equations.rests_on(equations.asked[one.name].parts)
+        names = []
+        for name in equations.asked:
+            unknown = only_unknown(equations, name)
+            others = {s for step in equations.steps if unknown in step.unknowns for s in step.unknowns} - {unknown}
+            if name != one.name and not rests.isdisjoint(others):
+                names.append(name)
+        if names:
+            found.append((one.name, tuple(names)))
+    return tuple(found)
+
+
 def _pairs(problem: WorkedProblem) -> Iterator[tuple[str, str]]:
     """A find, and one on which it rests."""
     from planar_cli.homework.grading.followed_again import rests_on

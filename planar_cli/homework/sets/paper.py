@@ -115,6 +115,8 @@ class Task:
     """What stands before `given`: beside a text that tells values it is not all."""
     behind: tuple[tuple[str, tuple[str, ...]], ...] = ()
     """By find, where there are any: the finds on which it rests, of which own values are carried into it."""
+    together: tuple[tuple[str, tuple[str, ...]], ...] = ()
+    """By find, where there are any: the finds that equations give only together with what it is made of."""
 
 
 @record
