@@ -25,7 +25,8 @@ said otherwise). What is carried is the student's own value, also a vector, put 
 solution, alone or with the student's right values, so that a way by other equations may come to another number. It is
 carried into each find that rests on it in these equations, in whatever order the finds stand in the file; of finds that
 rest on each other, as the unknowns of one system do, into those that are asked later. A value of zero, or one that is
-far off, carries nothing.
+far off, carries nothing. Where one typical mistake explains all wrong numbers of a problem, it is told first; none of
+them is carried then from what is asked later and found by the same system of equations.
 
 Between states, speeds, times and places that follow from written equations (energy, momentum, constant acceleration)
 carry into what rests on them. What is read off a motion that is followed in numbers, because no such equations give it,
@@ -41,9 +42,10 @@ Variants
 Values of given names stand in the problem file, under `variants` or in `given` itself, where the first is that of the
 file (planar explain variants). A combination is taken only where the physics stays what it is: the same case (roll or
 slip, taut or slack), the same signs, no answer that hangs on the last digits of a datum, and every typical mistake that
-is clearly wrong with the values of the file, by three tolerances, clearly wrong too. What there is to say of the
-variants `planar key` says, also which mistakes hardly change an answer and are graded right, as `--tolerance-report`
-does. In `text`, `{m}` stands for the value of m; a name in braces that is not given is an error.
+is clearly wrong with the values of the file, by three tolerances, clearly wrong too. Of up to eight variants each is
+solved anew, of more the extremes, and each where one of these has no solution; that one is not handed out. What there
+is to say of the variants `planar key` says, also which mistakes hardly change an answer and are graded right, as
+`--tolerance-report` does. In `text`, `{m}` stands for the value of m; a name in braces that is not given is an error.
 
     planar validate set.yaml                     is anything wrong with the set or its problem files, and does each
                                                  sheet ask by names that a student reads?
