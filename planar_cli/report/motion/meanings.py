@@ -11,7 +11,7 @@ from planar_cli.equation.kinematics.line_of_centres import VERTICAL
 from planar_cli.equation.kinematics.motion import Edge
 from planar_cli.equation.scene.displacement import Coordinate
 from planar_cli.equation.scene.scene import Scene
-from planar_cli.problem.scene.scene import Rod, with_article
+from planar_cli.problem.scene.scene import GROUND, Rod, with_article
 from planar_cli.report.document.blocks import Block, Heading, Line, Math, Name, Paragraph, Text, line
 from planar_cli.report.document.mentioned import pieces_of
 from planar_cli.report.equations.steps import is_ritual
@@ -95,9 +95,9 @@ def _rotations(found: MotionTrace) -> dict[sp.Symbol, Line]:
 
 
 def _loaded(spin: sp.Symbol, edge: Edge, found: MotionTrace) -> Line:
-    """Of a wheel among other bodies it is what is asked that tells how it counts, not its loads."""
-    alone = len(found.problem.bodies) == 1
-    return clockwise(Math(spin), edge) if alone else line(Math(spin), " is counted clockwise.")
+    """Of what rolls on the ground among other bodies it is what is asked that tells how it counts, not its loads."""
+    asked = len(found.problem.bodies) > 1 and edge.parent == GROUND
+    return line(Math(spin), " is counted clockwise.") if asked else clockwise(Math(spin), edge)
 
 
 def _struck(spin: sp.Symbol, edge: Edge, found: MotionTrace) -> Line:
