@@ -17,6 +17,7 @@ from planar_cli.motion.regime.regime import Regime
 from planar_cli.motion.terms.source import compiled
 from planar_cli.motion.trajectory.segment import Segment
 from planar_cli.problem.language.expression import Quantity
+from planar_cli.problem.nodes.reading import listed
 from planar_cli.records import record
 from planar_cli.simulate.measures import Moment
 from planar_cli.simulate.run import Run
@@ -54,9 +55,9 @@ class SingularPosition:
         """As a sentence."""
         some = [f"{t:.4g} s" for t in self.times[:TOLD]]
         many = len(self.times) - len(some)
-        when = f"{', '.join(some)} and {many} times more" if many else _listed(some)
-        joints = f"the joints {_listed(self.joints)}"
-        place = f"{_listed(self.in_line)} lie on one line (a change point)"
+        when = f"{', '.join(some)} and {many} times more" if many else listed(some, "and")
+        joints = f"the joints {listed(self.joints, 'and')}"
+        place = f"{listed(self.in_line, 'and')} lie on one line (a change point)"
         place = place if self.in_line else f"the conditions of {joints} depend on each other (a singular position)"
         forces = f"there the forces of {joints} are not determined, and they grow without bound on the way there; "
         forces = forces if self.unbounded else "there the joints would also let it go on in another way; "
@@ -199,7 +200,3 @@ def _grows(segment: Segment, regime: Regime, joints: Sequence[str], t: float, be
         return max((abs(f[k]) for f in forces for k in own), default=0.0)
 
     return size(NEARER) > GROWS * size(BESIDE)
-
-
-def _listed(names: Sequence[str]) -> str:
-    return " and ".join(filter(None, [", ".join(names[:-1]), names[-1]])) if names else ""

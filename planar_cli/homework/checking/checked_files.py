@@ -70,9 +70,10 @@ def check_files(
         with terminated(), contextlib.closing(_as_they_end(items, jobs, timeout)) as ended:
             let_go()
             for number, checked in ended:
+                # Before it is kept: what an interrupt finds in the results file is printed too.
+                held[number] = checked
                 if written is not None:
                     written.write(_line(checked, digests[checked.path]))
-                held[number] = checked
                 let_go()
                 told(heard + len(held))
     except KeyboardInterrupt as stop:

@@ -206,7 +206,8 @@ def of_multiple(symbol: sp.Symbol, scene: Scene) -> list[Line]:
     if made is None or not sp.sqrt(made.square).is_Symbol:
         return []
     factor, letter = made.mass.as_coeff_Mul()
-    whole = factor.is_Integer and factor != 1 and letter.is_Symbol
+    # A text stands as it is written: a letter with an index would lose it there.
+    whole = factor.is_Integer and factor != 1 and letter.is_Symbol and "_" not in letter.name
     texts = {letter: f"{factor} {letter.name}"}
     return [line(Math(made.factor * letter * made.square, texts))] if whole else []
 
